@@ -14,6 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
+from tambour.crochet.finish.capped import drawn_over, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
 from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
@@ -281,9 +282,15 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
         at_end = np.isin(own, end.nodes)
         rank = np.searchsorted(own, end.nodes)
-        seams.append(sewing.seam(x, graph, end, straight[rank], bodies[body[other]], frame))
+        low = rim_on(built, spots, f, end)
+        seams.append(sewing.seam(x, graph, end, straight[rank], low if len(low) else bodies[body[other]], frame))
         host = np.isin(fixed, bodies[body[other]])
-        x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], host, frame.normals[0])
+        if len(low):
+            x[own] = moved = drawn_over(
+                moved, at_end, x[low], x[bodies[body[other]]], frame.points[0], frame.normals[0]
+            )
+        else:
+            x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], host, frame.normals[0])
         upright[part] = turned(upright[other], sewing.leaning(f, frame))
         springs, lengths = sewing.stays(x, moved, own, end, *ways, bodies[body[other]], frame)
         stays.append(springs)

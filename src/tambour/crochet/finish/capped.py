@@ -1,0 +1,95 @@
+"""Capped: how far a cap or a wig comes down over what it is put on: as far as its own fabric reaches from the crown."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.finish.sewing import CLEARANCE, End
+from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye, Placed
+
+_FLARE: Final = 1.1
+"""A cap is nowhere wider than its rim by more than this: a toadstool's is, and stands on its stem."""
+_FITS: Final = (0.85, 1.15)
+"""Stitches of its rim over those of the widest round that it covers: it stretches a little, and a brim is no rim."""
+_FREE: Final = 2
+"""Rounds between a cap's rim and eyes, at the least."""
+
+
+def rim_on(built: Built, spots: Spots, placed: Placed, end: End) -> Array:
+    """The stitches of the round that the rim of a cap comes down to on what it is put on; none of what is no cap.
+
+    A cap is hollow, closed at its crown, nowhere wider than its rim, and about as wide as what it covers. It reaches as far from the
+    pole as its fabric does from its crown, and leaves eyes free.
+    """
+    none = np.zeros(0, int)
+    graph = built.graph
+    part, host = spots.parts[placed.part], spots.parts[placed.spot.part]
+    hollow = graph.parts[part].stuffing == 0.0 and not (spots.in_rows[part] or spots.in_rows[host])
+    if not end.ring or end.laid or placed.by is not None or placed.spot.stitch is not None or not hollow:
+        return none
+    own, theirs = spots.rounds_of(part), spots.rounds_of(host)
+    if (
+        not own
+        or not theirs
+        or theirs[0] <= placed.spot.round <= theirs[-1]
+        or len(spots.opening(host, placed.spot.round))
+    ):
+        return none
+    down = theirs if placed.spot.round < theirs[0] else theirs[::-1]  # from the pole
+    mine = [len(_ring(spots, part, n)) for n in own]
+    rim = len(end.nodes)
+    reach = float(_steps(built, spots, part, own).sum())
+    far = np.cumsum(_steps(built, spots, host, theirs)[:: 1 if down is theirs else -1])
+    at = int(np.argmin(np.abs(far - reach)))
+    eyes = [f.spot.round for f in built.pattern.finish if isinstance(f, Eye) and f.spot.part == placed.spot.part]
+    if eyes:
+        at = min(at, *(int(np.argmin(np.abs(np.array(down) - eye))) - _FREE for eye in eyes))
+    wide = [len(_ring(spots, host, n)) for n in down]
+    widest = max(wide[: max(at, 0) + 1])
+    fits = _FITS[0] * widest <= rim <= _FITS[1] * widest and max(mine) <= _FLARE * rim and mine[0] <= rim // 2
+    first = next((k for k, count in enumerate(wide) if count >= _FITS[0] * rim), len(wide))
+    return _ring(spots, host, down[at]) if fits and at > first else none
+
+
+def drawn_over(moved: Array, rim: Array, low: Array, host: Array, p: Array, n: Array) -> Array:
+    """A cap (K, 3) drawn over what it is put on, outside of it all round.
+
+    rim : (K,) bool, its rim; low (M, 3) : the round that comes to lie on; host (J, 3) : the fabric; p, n : its pole, and outwards there
+    """
+
+    def high(x: Array) -> Array:
+        return np.asarray((x - p) @ n)
+
+    along, at = high(moved), float(high(low).mean())
+    begun = float(along[rim].mean())
+    top = float(high(host).max()) + CLEARANCE
+    tall = max(float(along.max()) - begun, top - at)
+    placed = at + (along - begun) * tall / max(float(along.max()) - begun, 1e-9)
+    aside = moved - p - along[:, None] * n
+    middle = (low - p - high(low)[:, None] * n).mean(0)
+    wide = np.sqrt(((low - p - high(low)[:, None] * n - middle) ** 2).sum(1)).mean()
+    before = np.sqrt((aside[rim] ** 2).sum(1)).mean()
+    scale = max(1.0, (float(wide) + CLEARANCE) / max(float(before), 1e-9))
+    return np.asarray(p + middle + scale * aside + placed[:, None] * n)
+
+
+def _ring(spots: Spots, part: int, number: int) -> Array:
+    k = spots.round_at(part, number)
+    return np.zeros(0, int) if k is None else spots.stitches(k)
+
+
+def _steps(built: Built, spots: Spots, part: int, numbers: list[int]) -> Array:
+    """How far each round lies from the one it is worked into (R,), along the fabric, in stitches, as it is laid out."""
+    graph, x = built.graph, spots.layout
+    made = []
+    for number in numbers:
+        nodes = _ring(spots, part, number)
+        nodes = nodes[graph.anchor_offsets[nodes + 1] > graph.anchor_offsets[nodes]]
+        into = graph.anchors[graph.anchor_offsets[nodes]]
+        made.append(float(np.sqrt(((x[nodes] - x[into]) ** 2).sum(1)).mean()) if len(nodes) else 0.0)
+    return np.array(made)
