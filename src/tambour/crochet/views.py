@@ -39,8 +39,12 @@ VIEWS: dict[str, View] = {
         stage="photo",
     ),
     **{
-        side: View(Lazy(f"tambour.crochet.page.portrait:{side}"), "Picture", f"the piece in its yarn, from the {side}")
-        for side in ("front", "back", "left", "right", "top")
+        side: View(
+            Lazy(f"tambour.crochet.page.portrait:{side}"),
+            "Picture",
+            f"the piece in its yarn, from {side if side == 'below' else f'the {side}'}",
+        )
+        for side in ("front", "back", "left", "right", "top", "below")
     },
     "surface": View(
         Lazy("tambour.crochet.looks:surface"),

@@ -233,7 +233,7 @@ def facing(piece: Plush) -> float | None:
     return float(atan2(mean[0], mean[1])) if np.sqrt((mean**2).sum()) > 0.4 * far else None
 
 
-front, back, left, right, top = (partial(portrait, side=side) for side in ("front", "back", "left", "right", "top"))
+front, back, left, right, top, below = (partial(portrait, side=side) for side in SIDES)
 
 
 def seen(mesh: Mesh, side: str, *, width: int = 1200, height: int | None = None, ground: bool = True) -> Picture:
