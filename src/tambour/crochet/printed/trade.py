@@ -151,6 +151,7 @@ class Trade(Dyes):
             first = c.look(1)
             if (
                 hook
+                and not found
                 and first is not None
                 and first.kind == "ordinal"
                 and c.kind("stitch", 2)
