@@ -1079,3 +1079,15 @@ def test_eyes_are_on_a_face_that_is_sewn_on_and_not_behind_it() -> None:
 def test_a_face_on_a_part_of_one_stitch_a_row_is_put_there(said):
     head = "Duck\n\nHEAD\nRow 1: Ch 2. 1 sc in 2nd ch from hook. Turn.\nRow 2: Ch 1. 1 sc in sc. Turn.\n"
     assert len(read_printed(Text(f"{head}\nFINISHING\n{said}\n", "duck.txt")).parts) == 1
+
+
+def test_the_edited_text_marks_what_was_not_understood() -> None:
+    """Rounds that were taken from their counts bore no mark: a designer thought them read."""
+    from tambour.crochet.page.annotated import NOTE, TICK, annotated
+
+    text = "Ball\n\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: wibble into every second (18)\nRnd 4: sc around (18)\n"
+    lines = annotated(build(read_printed(Text(text))), (0.0, 0.0, 0.0)).text.split("\n")
+    signs = {line[2:7]: line[:1] for line in lines if line[2:5] == "Rnd"}
+    assert signs == {"Rnd 1": TICK, "Rnd 2": TICK, "Rnd 3": NOTE, "Rnd 4": TICK}
+    assert any(line.strip().startswith(NOTE) and "18" in line for line in lines)
+    assert lines[-2].endswith("1 place not understood")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
 TICK, DOUBT, NOTE = "✓", "✗", "?"
-"""Signs in the margin: a count that holds, something wrong or doubtful, something that was guessed."""
+"""Signs in the margin: a count that holds, something wrong or doubtful, something that was guessed or not understood."""
 _WIDE: Final = 2
 DOCUMENTS: Final = (".docx", ".odt", ".html", ".htm", ".pdf")
 """Files whose headings are no characters: those that stand before them in the text that was read are not hers."""
@@ -38,12 +38,15 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
     document = text.name.lower().endswith(DOCUMENTS)
     guesses = [p for p in built.warnings if p.message.startswith(GUESSED)]
     found = [*tech_edit(built), *size_edit(built, size_mm)]
+    told = {(p.message, p.span) for p in found}
+    unread = [p for p in built.pattern.unread if (p.message, p.span) not in told]
     under: dict[int, list[tuple[str, Problem]]] = {}
-    for sign, problems in ((DOUBT, found), (NOTE, guesses)):
+    for sign, problems in ((DOUBT, found), (NOTE, [*unread, *guesses])):
         for problem in problems:
             at = text.place(problem.span.start)[0] if problem.span is not None else 1
             under.setdefault(at, []).append((sign, problem))
     wrong = {at for at, said in under.items() if any(sign == DOUBT for sign, _ in said)}
+    asked = {text.place(p.span.start)[0] for p in unread if p.span is not None}
     where: dict[tuple[str, str | None], list[int]] = {}
     for row in sorted(under):
         for _, problem in under[row]:
@@ -54,7 +57,7 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
     kept: list[tuple[int, bytes]] = []
     at = 0  # characters of the source so far
     for number, line in enumerate(text.text.rstrip("\n").split("\n"), 1):
-        sign = DOUBT if number in wrong else TICK if number in stated else ""
+        sign = DOUBT if number in wrong else NOTE if number in asked else TICK if number in stated else ""
         hers = _MARKS.sub("", line) if document else line
         lines.append(f"{sign:<{_WIDE}}{hers}".rstrip())
         at += len(line) + 1
@@ -63,9 +66,10 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
         for mark, problem in under.get(number, []):
             first, *others = dict.fromkeys(where[problem.message, problem.hint])
             if number == first:  # what is the same elsewhere is said once
-                told = problem.message + (f" ({problem.hint})" if problem.hint else "")
+                said = problem.message + (f" ({problem.hint})" if problem.hint else "")
                 also = f"; also at line {', '.join(map(str, others))}" if others else ""
-                lines.append(f"{'':<{_WIDE}}    {mark} {told}{also}")
+                lines.append(f"{'':<{_WIDE}}    {mark} {said}{also}")
     counts = sum(w.line.stated is not None for w in built.worked)
-    lines += ["", f"{len(built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts"]
+    gaps = f", {len(unread)} place{'s' * (len(unread) > 1)} not understood" if unread else ""
+    lines += ["", f"{len(built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts{gaps}"]
     return Text("\n".join(lines) + "\n", text.name, tuple(kept))
