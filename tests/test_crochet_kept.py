@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from tambour.core.errors import Text
+from tambour.core.errors import Span, Text
+from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern
 from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.mend import _inside
 
 TOY = (
     "Toy\n\nMATERIALS\nYarn: worsted\nContrast A White\nContrast B Black\nContrast C Red\n\nABBREVIATIONS\n"
@@ -309,3 +311,26 @@ def test_an_opening_pressed_flat_is_closed_through_both_its_sides(words: str) ->
 @pytest.mark.parametrize("words", ["sc in all 8 ch (8)", "sc in each ch across (8)", "sc 8 (8)"])
 def test_a_row_that_says_first_where_it_begins(words: str) -> None:
     assert made(whole(f"TAIL\nWith A, ch 9. Starting in the 2nd ch from hook, {words}. Fasten off.\n"))["TAIL"] == [8]
+
+
+def test_a_round_that_fails_is_a_gap_though_a_count_above_it_is_wrong_too() -> None:
+    """A whole pattern was refused: the count above was put right, and the round that it had misled could not be worked even so."""
+    square = (
+        "SQUARE\nWith A, ch 4. Join with sl st to form ring.\n1st rnd: Ch 6. (3 dc in ring. Ch 3) 3 times. 2 dc in ring. Join. Fasten off. 12 dc and 4 ch-3 sps.\n"
+        "2nd rnd: Join B with sl st in any ch-3 sp. Ch 6. 3 dc in same ch-3 sp. *Ch 1. (3 dc. Ch 3. 3 dc) in next ch-3 sp. Rep from * twice. Ch 1. 2 dc in first ch-3 sp. Join. Fasten off. 24 dc, 4 ch-1 sps and 4 ch-3 sps.\n"
+        "3rd rnd: Join C with sl st in any ch-3 sp. Ch 6. 3 dc in same ch-3 sp. *Ch 1. 3 dc in next ch-1 sp. Ch 1. (3 dc. Ch 3. 3 dc) in next ch-3 sp. Rep from * twice more. Ch 1. 3 dc in last ch-1 sp. Ch 1. 2 dc in first ch-3 sp. Join. Fasten off. 36 dc, 8 ch-1 sps and 4 ch-3 sps.\n"
+    )
+    built = build(read(Text(TOY + square, "toy.txt")))
+    assert built.rounds[-1].count == 36 and any(
+        w.message.endswith("this round is taken to have 36") for w in built.warnings
+    )
+
+
+def test_a_count_in_a_sentence_of_its_own_belongs_to_its_round() -> None:
+    line = Line((), Span(10, 40), True, stated=32, stated_span=Span(50, 52))
+    assert (
+        _inside(Span(50, 52), line)
+        and _inside(Span(12, 20), line)
+        and not _inside(Span(60, 62), line)
+        and not _inside(None, line)
+    )

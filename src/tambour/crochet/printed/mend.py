@@ -192,6 +192,8 @@ def _section(pattern: Pattern, section: Section, told: Found) -> Section:
         except TambourError as error:
             wrong = [p for p in error.problems if not p.warning and p.span is not None]
             (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told)
+            if mended == section:  # what misled it is put right already
+                (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told, False)
             if mended == section:
                 return section
             section = mended
@@ -245,12 +247,12 @@ def _without(item: Item, names: tuple[str, ...]) -> Item | None:
     return replace(item, items=items) if items else None
 
 
-def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section, ...]:
-    """The parts with a gap in place of each line that a problem stands in."""
+def _gaps(pattern: Pattern, wrong: list[Problem], told: Found, above: bool = True) -> tuple[Section, ...]:
+    """The parts with a gap in place of each line that a problem stands in, or, ``above``, of the one that misled it."""
     parts = []
     for section in pattern.parts:
         lines: list[Line] = []
-        misled = _first_misled(section, wrong, told.sound, dict(pattern.stitches))
+        misled = _first_misled(section, wrong, told.sound, dict(pattern.stitches)) if above else None
         for line in section.lines:
             problem = next((p for p in wrong if _inside(p.span, line)), None)
             if misled is not None and (line is misled or problem is not None):
@@ -331,4 +333,6 @@ def _gap(line: Line, at: Span, count: int, fair: bool = False) -> tuple[Item, ..
 
 
 def _inside(span: Span | None, line: Line) -> bool:
-    return span is not None and line.span.start <= span.start and span.end <= line.span.end
+    if span is None:
+        return False
+    return line.stated_span == span or (line.span.start <= span.start and span.end <= line.span.end)
