@@ -177,3 +177,21 @@ def test_a_folder_that_is_gone_is_told(tmp_path: Path) -> None:
     command = f"cd {gone} && rmdir {gone} && {sys.executable} -m tambour formats"
     ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True)
     assert ran.returncode == 2 and ran.stderr == "the folder that you are in is not there any more; go to another\n"
+
+
+def test_a_verdict_is_one_line_and_how_a_piece_was_reached_is_told_where_all_is_asked_for(tmp_path: Path) -> None:
+    """What a designer cannot use stood between what she asked for: forces, evaluations, nodes."""
+    egg = tmp_path / "egg.txt"
+    egg.write_text(
+        "Egg\n\nYarn: DK, cream\n\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: dec x 6 (6)\nFasten off.\n"
+    )
+    code, said = call(f"crochet {egg} --check")
+    assert (code, said.splitlines()) == (0, ["check: no mistake found: 3 rounds, 3 stated counts"]), said
+    inner = ("nodes:", "edges:", "residual:", "evaluations:")
+    _, said = call(f"crochet {egg} -o {tmp_path}/egg.json")
+    assert "yarn metres:" in said and "wrote" in said
+    assert not [word for word in inner if word in said], said
+    _, said = call(f"crochet {egg} -o {tmp_path}/egg.json --verbose")
+    assert not [word for word in inner if word not in said], said
+    _, said = call(f"crochet {egg} --check --verbose")
+    assert "nodes:" in said

@@ -1,5 +1,6 @@
 """Tables of terms: whole, unambiguous, and every sentence is read back as it was said."""
 
+import ast
 import json
 import os
 import re
@@ -14,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError
-from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Hair, Placed, Spot
+from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import STITCHES
 from tambour.crochet.words.phrases import ITEMS, Phrases, number
 from tambour.crochet.words.table import SENTENCES, TERMS, Tables
@@ -213,3 +214,41 @@ def test_what_a_language_lacks_is_told_at_once(root, tmp_path):
     (tmp_path / "yy.toml").write_text("name = ")
     with pytest.raises(TambourError, match="no TOML"):
         Tables(tmp_path)["yy"]
+
+
+def _keys(node):
+    """The keys that an expression may give, each as a pattern: of a choice both, of a table its values."""
+    match node:
+        case ast.Constant(value=str(said)):
+            yield re.escape(said)
+        case ast.JoinedStr(values=values):
+            yield "".join(re.escape(v.value) if isinstance(v, ast.Constant) else ".+" for v in values)
+        case ast.IfExp(body=one, orelse=other):
+            yield from (*_keys(one), *_keys(other))
+        case ast.Dict(values=values):
+            for value in values:
+                yield from _keys(value)
+        case ast.Call(func=ast.Attribute(value=table, attr="get"), args=given):
+            for one in (table, *given):
+                yield from _keys(one)
+
+
+def test_every_word_that_the_pages_ask_for_is_in_every_language(root):
+    """A booklet died of one that no table had; what a table lacks that another has, is told when it is read (above)."""
+    asked, places = {}, root / "src" / "tambour" / "crochet"
+    for path in (*places.glob("page/*.py"), *places.glob("maker/*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            of = node.value if isinstance(node, ast.Subscript) else None
+            if getattr(of, "attr", getattr(of, "id", "")) in ("own", "page"):
+                asked |= dict.fromkeys(_keys(node.slice), f"{path.name}:{node.lineno}")
+    asked |= {
+        f"a {re.escape(kind.__name__.lower())}": "assembly.py, a step's heading"
+        for kind in Finish.__args__
+        if kind is not Placed
+    }
+    assert len(asked) > 90, "the pages' words are asked for in another way: nothing is checked here"
+    for code in TERMS:
+        lacking = {
+            key: where for key, where in asked.items() if not any(re.fullmatch(key, k) for k in TERMS[code].page)
+        }
+        assert not lacking, (code, lacking)

@@ -117,6 +117,7 @@ class Craft:
     check : (params, the views that are asked for); raises TambourError, before any work, for what cannot be made of them
     changes : name → Change, the edits that it understands
     prefer : params → {suffix: view} where they choose another default view than the views' own suffixes do
+    inner : facts that tell how a piece was reached, which the summary leaves to ``--verbose``
 
     >>> from tambour.run import craft
     >>> knit = craft("knit")
@@ -136,6 +137,7 @@ class Craft:
     check: Callable[[Any, Sequence[str]], None] = _no_objection
     prefer: Callable[[Any], Mapping[str, str]] = _no_preference
     changes: Mapping[str, Change] = field(default_factory=dict)
+    inner: tuple[str, ...] = ()
 
     def edits(self, given: Sequence[Edit | str]) -> list[tuple[str, Params]]:
         """Edits as values, checked: each as text (``stitch:12,30=CC``) or as data (``{"edit": "stitch", "row": 12, …}``).

@@ -101,6 +101,7 @@ def craft_command(name: str) -> click.Command:
     )
     @click.option("--report", metavar="FILE", help="Write what was measured as JSON.")
     @click.option("--quiet", is_flag=True, help="No progress, no summary.")
+    @click.option("--verbose", is_flag=True, help="All that was measured in the summary.")
     def command(source: str | None = None, **given: Any) -> None:
         run_craft(what, source, **given)
 
@@ -121,6 +122,7 @@ def run_craft(
     out: tuple[str, ...],
     report: str | None,
     quiet: bool,
+    verbose: bool = False,
     edit: tuple[str, ...] = (),
     edits: str | None = None,
     **given: Any,
@@ -131,7 +133,7 @@ def run_craft(
     values = {name: value for name, value in given.items() if value is not None and value != ()}
     params = what.params.of(values)
     changed = [*(read_edits(edits) if edits else ()), *edit]
-    made_and_told(what, source, params, out, changed, report, quiet)
+    made_and_told(what, source, params, out, changed, report, quiet, verbose)
 
 
 def made_and_told(
@@ -142,6 +144,7 @@ def made_and_told(
     edits: Sequence[Any],
     report: str | None = None,
     quiet: bool = False,
+    verbose: bool = False,
 ) -> dict[str, Any]:
     """Make a piece and its files, with a bar, warnings and a summary; gives the report."""
     from tambour.run import run
@@ -154,7 +157,7 @@ def made_and_told(
     for problem in progress.warnings:
         click.echo(str(problem), err=True)
     if not quiet and places == out:  # else standard output is the piece
-        summary(made)
+        summary(made, () if verbose else what.inner, verbose)
     return made
 
 
@@ -174,11 +177,31 @@ def pictured(error: TambourError, out: tuple[str, ...]) -> TambourError:
     return TambourError([first, *error.problems[1:]])
 
 
-def summary(report: dict[str, Any]) -> None:
-    """Print what was made: the short facts, then the files."""
-    skip = {"craft", "version", "edition", "params", "source", "edits", "warnings", "problems", "files", "seconds"}
+_VERDICT = ("check", "reading", "left_open")
+"""What is said where a check was asked for: its verdict, what of the text it could not read, and what that leaves open."""
+
+
+def summary(report: dict[str, Any], inner: Sequence[str] = (), verbose: bool = False) -> None:
+    """Print what was made: the short facts but ``inner`` ones, then the files. A verdict stands alone, unless all is asked for."""
+    skip = {
+        "craft",
+        "version",
+        "edition",
+        "params",
+        "source",
+        "edits",
+        "warnings",
+        "problems",
+        "files",
+        "seconds",
+        *inner,
+    }
+    if "check" in report and not verbose:
+        skip |= set(report) - set(_VERDICT)
     for key, value in report.items():
-        if key not in skip and isinstance(value, (int, float, str)) and not isinstance(value, bool):
+        if key in skip:
+            continue
+        if isinstance(value, (int, float, str)) and not isinstance(value, bool):
             text = f"{value:.4g}" if isinstance(value, float) else shown(str(value))
             click.echo(f"{key.replace('_', ' ')}: {text}")
         elif isinstance(value, list) and value and all(isinstance(v, (int, float)) for v in value):

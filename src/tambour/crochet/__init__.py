@@ -27,4 +27,5 @@ CRAFT = Craft(
     facts=Lazy("tambour.crochet.maker.facts:facts"),
     prefer=_prefer,
     changes={"pose": POSE},
+    inner=("nodes", "edges", "passed_over", "stuffing", "start", "residual", "evaluations"),
 )

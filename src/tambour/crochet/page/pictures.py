@@ -133,7 +133,7 @@ def whole(album: Album, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.looks import toy
     from tambour.crochet.page.portrait import stand
-    from tambour.render.raster import picture, shown
+    from tambour.render.raster import shown
 
     made = toy(album.piece)
     points = shown(made)
@@ -142,16 +142,8 @@ def whole(album: Album, width: int, height: int) -> Picture:
     room = middle + AIR * (points - middle)
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
     azimuth, elevation = (VIEW[0], _ABOVE) if lies(album.piece) else stand(album.piece)
-    seen = picture(
-        made,
-        width=width,
-        height=height,
-        azimuth=azimuth,
-        elevation=elevation,
-        background=album.backdrop,
-        frame=room,
-        lit=album.light(album.all, album.face, azimuth, MANY),
-    )
+    lit = album.light(album.all, album.face, azimuth, MANY)
+    seen = _drawn(album, made, (azimuth, elevation), width, height, frame=room, lit=lit)
     paper = np.round(coded(film(linear(np.array(album.backdrop) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)
     x = np.linspace(0.0, 1.0, width, dtype=np.float32)
@@ -176,23 +168,22 @@ def _on_paper(album: Album, seen: Picture) -> Picture:
 
 def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Picture:
     """Some parts by themselves, their broad side ahead."""
-    from tambour.render.raster import picture
-
-    turn, (azimuth, elevation) = _broad(album.piece, parts)
+    turn, view = _broad(album.piece, parts)
     mesh = album.partial(parts)
     if turn is not None:
         mesh = replace(mesh, vertices=np.ascontiguousarray(turned(mesh.vertices, turn)))
-    seen = picture(
-        mesh,
-        width=width,
-        height=height,
-        azimuth=azimuth,
-        elevation=elevation,
-        ground=False,
-        background=album.backdrop,
-        lights=sum(FEW),
+    return _on_paper(album, _drawn(album, mesh, view, width, height, ground=False, lights=sum(FEW)))
+
+
+def _drawn(album: Album, mesh: Mesh, view: tuple[float, float], width: int, height: int, **more: Any) -> Picture:
+    """A mesh before the album's backdrop, from ``view`` (azimuth, elevation); ``more`` : of :func:`tambour.render.raster.picture`."""
+    from tambour.render.raster import picture
+
+    azimuth, elevation = view
+    background = album.backdrop
+    return picture(
+        mesh, width=width, height=height, azimuth=azimuth, elevation=elevation, background=background, **more
     )
-    return _on_paper(album, seen)
 
 
 def _shown(
@@ -206,24 +197,13 @@ def _shown(
 ) -> Picture:
     """What is ``there`` (parts, face) of a piece, seen so; what is seen from below is turned over, for light comes from above."""
     from tambour.crochet.page.portrait import turned as over_turned
-    from tambour.render.raster import picture
 
     azimuth, elevation = view
     over = elevation < _LOW
     if over:
         mesh, frame, azimuth, elevation = over_turned(mesh), frame * (1.0, -1.0, -1.0), pi - azimuth, -elevation
     light: dict[str, Any] = {"lights": sum(FEW)} if over else {"lit": album.light(*there, azimuth)}
-    seen = picture(
-        mesh,
-        width=width,
-        height=height,
-        azimuth=azimuth,
-        elevation=elevation,
-        ground=False,
-        background=album.backdrop,
-        frame=frame,
-        **light,
-    )
+    seen = _drawn(album, mesh, (azimuth, elevation), width, height, ground=False, frame=frame, **light)
     return _on_paper(album, seen)
 
 
