@@ -189,7 +189,7 @@ def test_a_skin_without_bind_matrices_and_a_child_of_a_moved_node(tmp_path: Path
 def test_data_that_is_not_to_be_had_is_told(
     uri: str, word: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tambour.files.glb.MOVING", 100)
+    monkeypatch.setattr("tambour.files.gltf.MOVING", 100)
     (tmp_path / "folder").mkdir()
     (tmp_path / "large.bin").write_bytes(bytes(101))
     made = one()

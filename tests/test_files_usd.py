@@ -15,7 +15,7 @@ from tambour.core.scene import Scene
 from tambour.embroidery.cloth.place import lay, place
 from tambour.embroidery.cloth.sheets import cloth
 from tambour.files import scene as scenes
-from tambour.files.glb import _INDEX, _VERTEX, Body
+from tambour.files.glb import INDEX, VERTEX, Body
 from tambour.files.scene import joined, tubes
 from tambour.files.usd import unpack
 
@@ -216,9 +216,9 @@ def test_a_skin_is_sampled(tmp_path):
     half = np.sqrt(0.5)
     turn = np.array([[0, 0, 0, 1], [0, 0, half, half]], np.float32)
     attributes = {
-        "POSITION": body.add(points, target=_VERTEX, bounds=True),
-        "JOINTS_0": body.add(np.array([[0, 0, 0, 0]] * 2 + [[1, 0, 0, 0]] * 2, np.uint8), target=_VERTEX),
-        "WEIGHTS_0": body.add(np.tile(np.array([[1, 0, 0, 0]], np.float32), (4, 1)), target=_VERTEX),
+        "POSITION": body.add(points, target=VERTEX, bounds=True),
+        "JOINTS_0": body.add(np.array([[0, 0, 0, 0]] * 2 + [[1, 0, 0, 0]] * 2, np.uint8), target=VERTEX),
+        "WEIGHTS_0": body.add(np.tile(np.array([[1, 0, 0, 0]], np.float32), (4, 1)), target=VERTEX),
     }
     head = {
         "scene": 0,
@@ -233,7 +233,7 @@ def test_a_skin_is_sampled(tmp_path):
                 "primitives": [
                     {
                         "attributes": attributes,
-                        "indices": body.add(np.array([0, 1, 2, 1, 3, 2], np.uint16), target=_INDEX),
+                        "indices": body.add(np.array([0, 1, 2, 1, 3, 2], np.uint16), target=INDEX),
                     }
                 ]
             }

@@ -17,7 +17,7 @@ from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
 from tambour.core.scene import Scene
 from tambour.core.strands import Strands
-from tambour.files.glb import _INDEX, _VERTEX, Body
+from tambour.files.glb import INDEX, VERTEX, Body
 from tambour.files.sink import Sink
 from tambour.geometry.surface import closed, vertex_normals
 from tambour.geometry.tube import sweep
@@ -118,8 +118,8 @@ def write_glb(value: Scene, sink: Sink) -> None:
         reach = max((float(np.abs(f - frames[0]).max()) for f in frames), default=1.0) or 1.0
         unit = reach if len(frames) > 1 else 1000.0  # mm in one unit of the node
         attributes = {
-            "POSITION": body.add((frames[0] / unit).astype(np.float32), target=_VERTEX, bounds=True),
-            "NORMAL": body.add(_normals(frames[0], still.faces), target=_VERTEX),
+            "POSITION": body.add((frames[0] / unit).astype(np.float32), target=VERTEX, bounds=True),
+            "NORMAL": body.add(_normals(frames[0], still.faces), target=VERTEX),
         }
         plain = None
         if still.color is not None and (still.color == still.color[:1]).all() and len(still.color):
@@ -127,12 +127,12 @@ def write_glb(value: Scene, sink: Sink) -> None:
         elif still.color is not None:
             rgba = np.full((len(still.color), 4), 65535, np.uint16)
             rgba[:, :3] = np.round(linear(np.arange(256) / 255.0) * 65535).astype(np.uint16)[still.color]
-            attributes["COLOR_0"] = body.add(rgba, target=_VERTEX, normalized=True)
+            attributes["COLOR_0"] = body.add(rgba, target=VERTEX, normalized=True)
         # The cloth's uv has no texture to serve: viewers would carry it for nothing.
         index = np.uint16 if len(still.vertices) < 65535 else np.uint32
         primitive: dict[str, Any] = {
             "attributes": attributes,
-            "indices": body.add(still.faces.ravel().astype(index), target=_INDEX),
+            "indices": body.add(still.faces.ravel().astype(index), target=INDEX),
             "material": len(materials),
             "mode": 4,
         }
@@ -208,8 +208,8 @@ def _targets(body: Body, frames: list[Array], faces: Array, unit: float) -> list
         turned = np.round(np.clip(vertex_normals(frame, faces) - normal, -1, 1) * 127).astype(np.int8)
         made.append(
             {
-                "POSITION": body.add(moved, target=_VERTEX, bounds=True, normalized=True),
-                "NORMAL": body.add(turned, target=_VERTEX, normalized=True),
+                "POSITION": body.add(moved, target=VERTEX, bounds=True, normalized=True),
+                "NORMAL": body.add(turned, target=VERTEX, normalized=True),
             }
         )
     return made
