@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, Final
 from tambour.crochet.piece import Plush, not_empty
 
 if TYPE_CHECKING:
-    from tambour.core.check import Array
-    from tambour.core.graph import StitchGraph
     from tambour.core.mesh import Mesh
     from tambour.crochet.graph.built import Built
     from tambour.crochet.language.finishes import Finish
@@ -17,8 +15,6 @@ if TYPE_CHECKING:
 
 LEAST: Final = 0.1
 """A toy beside the largest one has so much of its stitches or more."""
-SPACE: Final = 3.0
-"""Stitches between toys that stand beside each other in a picture."""
 BESIDE: Final = 0.12
 """A thing beside the toy is shown that has so much of its stitches."""
 _REST: Final = frozenset(
@@ -49,6 +45,7 @@ def toy(piece: Plush, *, detail: str | None = None) -> Mesh:
     from tambour.core.paths import Paths
     from tambour.crochet.finish.features import joined, meshes
     from tambour.crochet.graph.spots import whole
+    from tambour.crochet.table import gathered
     from tambour.crochet.yarn.fabric import NEAR, mesh
 
     parts = in_sight(piece)
@@ -97,36 +94,6 @@ def _faced(built: Built, parts: list[int]) -> Built:
         return isinstance(record, (Placed, Tie)) or known.get(spots_of(record)[0].part) in seen
 
     return replace(built, pattern=replace(pattern, finish=tuple(r for r in pattern.finish if there(r))))
-
-
-def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
-    """How far (N, 3), mm, to move every node so that the toys in sight stand together as for one photograph.
-
-    Up to three stand in a row, more in two rows, the higher ones behind. wanted : (P,) which parts are in sight
-    """
-    import numpy as np
-
-    from tambour.crochet.settle.arrange import clusters
-
-    label, shift = clusters(graph), np.zeros_like(x)
-    groups = [np.flatnonzero((label == k) & wanted) for k in range(int(label.max(initial=-1)) + 1)]
-    groups = sorted((nodes for nodes in groups if len(nodes)), key=lambda nodes: -float(np.ptp(x[nodes, 1])))
-    if len(groups) < 2:
-        return shift
-    gap, floor = SPACE * graph.stitch_width, float(min(x[nodes, 1].min() for nodes in groups))
-    long = len(groups) if len(groups) <= 3 else (len(groups) + 1) // 2
-    behind = 0.0
-    for begin in range(0, len(groups), long):
-        right, row = 0.0, groups[begin : begin + long]
-        deep = max(float(np.ptp(x[nodes, 2])) for nodes in row)
-        for nodes in row:
-            low, high = x[nodes].min(0), x[nodes].max(0)
-            shift[nodes] = (right - low[0], floor - low[1], -behind - 0.5 * (low[2] + high[2]))
-            right += high[0] - low[0] + gap
-        for nodes in row:
-            shift[nodes, 0] -= 0.5 * (right - gap)
-        behind -= deep + 2.0 * gap
-    return shift
 
 
 def _thing(part: Made) -> bool:

@@ -173,6 +173,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     from tambour.crochet.finish.pulled import pulled
     from tambour.crochet.finish.shape import Task, seen, simulate
     from tambour.crochet.settle.body import centroid_counts
+    from tambour.crochet.table import laid_out
 
     stitch = (known.width, known.height)
     if joining is not None and joining.joins:
@@ -191,7 +192,8 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
         snug = stuffing == "pressure" and params.solver == "settle"
         usual = params.bending == CrochetParams.model_fields["bending"].default
-        laid = flat_parts(joining) if joining is not None and built.pattern.terms and usual else frozenset()
+        several = len(built.parts) > 1 or joining is not None
+        laid = flat_parts(built) if several and built.pattern.terms and usual else frozenset()
 
         def tell(look: Look) -> None:
             progress.step(look.done, look.total)
@@ -218,6 +220,8 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     x, c = shape.x * stitch[0], shape.c * stitch[0]
     if params.solver == "settle" and shape.joined is None:
         x, c = standing(x, built.up), standing(c, built.up)
+    if params.solver == "settle" and built.pattern.terms:
+        x = laid_out(built, x)
     if params.check:
         from tambour.crochet.graph.check import size_edit
 

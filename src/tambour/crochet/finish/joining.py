@@ -182,12 +182,12 @@ def _level_pairs(edge: Array, across: Array) -> Array:
     return np.column_stack([edge[here[some]], edge[other[some]]])
 
 
-def flat_parts(joining: Joining) -> frozenset[str]:
+def flat_parts(built: Built) -> frozenset[str]:
     """The names of parts without stuffing that lie flat: those in rows, and discs, whose every round has more stitches."""
-    graph, spots = joining.built.graph, joining.spots
+    graph, spots = built.graph, Spots(built)
     names = set()
     for k, part in enumerate(graph.parts):
-        counts = [r.count for r in joining.built.rounds if r.part == k]
+        counts = [r.count for r in built.rounds if r.part == k]
         grows = (
             bool(counts) and counts[-1] == max(counts) and DISC * len(counts) <= counts[-1] <= 2 * DISC * len(counts)
         )

@@ -21,14 +21,15 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
     "below": (0.0, radians(-75.0)),
 }
 """Side → azimuth and elevation of the camera; left and right are those of one who looks at the front."""
-AHEAD, QUARTER, ASIDE, ABOVE = (
+AHEAD, QUARTER, ASIDE, OVER, ABOVE = (
     (radians(18.0), radians(13.0)),
     (radians(34.0), radians(16.0)),
     (radians(50.0), radians(15.0)),
+    (radians(8.0), radians(44.0)),
     (radians(9.0), radians(76.0)),
 )
 """Azimuth and elevation for a toy that stands or sits, for one that is long and looks ahead, for one that is long and has its
-eyes at its sides, for what is flat."""
+eyes at its sides, for things that lie beside each other, for what is flat."""
 _LOOKS: Final = 0.7
 """Eyes look ahead whose fabric does, in the mean, as a cosine."""
 PALE, DEEP = ("oak", "stone", "walnut", "linen"), ("paper", "linen", "painted", "oak")
@@ -98,7 +99,7 @@ def sheet(piece: Plush) -> bool:
 
     from tambour.crochet.finish.features import present
 
-    if piece.joining is not None and piece.joining.joins and present(piece.built):
+    if (piece.joining is not None and piece.joining.joins and present(piece.built)) or several(piece):
         return False
     wide, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     return bool(deep < FLAT * min(wide, high))
@@ -129,7 +130,7 @@ def face_down(piece: Plush) -> bool:
     from tambour.geometry.surface import vertex_normals
 
     graph = piece.built.graph
-    return lies(piece) and bool(vertex_normals(piece.positions, graph.faces)[:, 1].mean() < 0.0)
+    return lies(piece) and not several(piece) and bool(vertex_normals(piece.positions, graph.faces)[:, 1].mean() < 0.0)
 
 
 def turned(mesh: Mesh) -> Mesh:
@@ -166,12 +167,23 @@ def laid(mesh: Mesh) -> Mesh:
     )
 
 
+def several(piece: Plush) -> bool:
+    """Whether a piece is several things without a face that lie or stand beside each other: clothes, a tea set."""
+    from tambour.crochet.finish.features import present
+    from tambour.crochet.settle.arrange import clusters
+
+    graph = piece.built.graph
+    return bool(clusters(graph).max(initial=0) > 0) and not present(piece.built)
+
+
 def stand(piece: Plush) -> tuple[float, float]:
     """Azimuth and elevation, radians, of one who looks at a piece as a whole."""
     import numpy as np
 
     from tambour.crochet.page.pictures import lies
 
+    if several(piece):
+        return OVER
     if lies(piece):
         return ABOVE
     face = facing(piece)

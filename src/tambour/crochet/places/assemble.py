@@ -114,8 +114,8 @@ class Assembly(Likely):
         if usual and (self.heard.puts or self.heard.features):
             self._stand_up()
         put = Facer(self)
-        self._fill()
         waiting = self._tree()
+        self._fill(waiting)
         trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem")]
         for p in trunk:
             self.out += [(p.order, record) for record in put.part(p)]
@@ -138,12 +138,13 @@ class Assembly(Likely):
         self.made.finish = [record for _, record in sorted(self.out, key=lambda pair: pair[0])]
         return self.made
 
-    def _fill(self) -> None:
+    def _fill(self, waiting: list[Put]) -> None:
         """Which parts are made to be flat: those that such parts are, and discs; where the text does not say it."""
         text, starts = self.text, sorted(p.span.start for p in self.built.pattern.parts)
+        bears = bool(self.heard.features) or any(p.host is not None and p.host[0] == self.main for p in waiting)
         for part in self.built.pattern.parts:
             made = next((p for p in self.parts if p.name == part.name), None)
-            if made is None or part.stuffing is not None or made == self.main:
+            if made is None or part.stuffing is not None or (made == self.main and bears):
                 continue
             end = next((k for k in starts if k > part.span.start), len(text))
             if re.search(r"\bstuff", text[part.span.start : end]) and not made.worn:

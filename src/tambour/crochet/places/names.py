@@ -55,6 +55,11 @@ _KINDS: Final[dict[str, str]] = {
 }
 KINDS: Final[dict[str, str]] = {word: kind for kind, words in _KINDS.items() for word in words.split()}
 """Word → kind."""
+_VESSELS: Final = frozenset(
+    "bag purse basket cup teacup mug bowl pail bucket pot flowerpot planter vase saucer plate dish tray box tasche beutel korb tasse schale "
+    "eimer topf teller bolsa bolso cesta taza cuenco cubo maceta plato sac panier tasse bol seau pot assiette tas mand kop kom emmer bord".split()
+)
+"""Words of things that stand with their opening upwards."""
 LIKE: Final = (
     {"fluke", "tail"},
     {"fin", "arm", "wing"},
@@ -146,6 +151,11 @@ class Made:
     def worn(self) -> bool:
         """Whether it is put on a toy, and not sewn to make it."""
         return "worn" in self.kinds and self.likely in ("", "worn")
+
+    @property
+    def vessel(self) -> bool:
+        """Whether it holds something, by the last word of its name, and stands with its opening upwards."""
+        return bool(self.words) and self.words[-1] in _VESSELS
 
     def copy(self, k: int) -> str:
         """The name of its k-th copy, from 1."""
