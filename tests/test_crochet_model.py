@@ -31,6 +31,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.assemble import Piece
 from tambour.crochet.model.bumps import taken_off, uncoloured
+from tambour.crochet.model.coarse import coarse
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
@@ -115,6 +116,20 @@ def test_a_limb_that_is_missing_is_seen_from_the_target() -> None:
     found = distance(Target.of(*both), x, faces)
     assert found.largest == pytest.approx(6.0, abs=0.3)
     assert found.mean < 0.3
+
+
+@given(st.integers(8, 40), st.floats(0.4, 2.5), st.floats(0.3, 3.0))
+@settings(max_examples=8, deadline=None)
+def test_a_coarse_surface_is_one_skin_of_its_own_corners_and_as_large(rings: int, tall: float, short: float) -> None:
+    x, faces = globe(10.0, rings, tall)
+    y, fewer = coarse(x, faces, short, 0.1)
+    assert len(y) - len(fewer) // 2 == 2 and len(fewer) <= len(faces)  # Euler: closed, without handles
+    edges = np.concatenate([fewer[:, :2], fewer[:, 1:], fewer[:, ::-2]])
+    assert len(np.unique(edges, axis=0)) == len(edges) == 2 * len(np.unique(np.sort(edges, axis=1), axis=0))
+    assert {tuple(p) for p in y} <= {tuple(p) for p in x}
+    assert volume(y, fewer) == pytest.approx(volume(x, faces), rel=0.05)
+    if rings == 40 and short > 1.0:
+        assert len(fewer) < 0.5 * len(faces)
 
 
 def made(mesh: Mesh, **given: object) -> tuple[Plush, Progress]:

@@ -87,6 +87,9 @@ def read_obj(path: Path) -> Mesh:
     points: list[list[float]] = []
     textures: list[list[float]] = []
     corners: dict[tuple[int, int], int] = {}
+    spelt: dict[
+        str, int
+    ] = {}  # a corner's words, which come again in each of its faces; not of those counted backwards
     faces: list[tuple[int, int, int]] = []
     groups: list[int] = []
     names = {"": 0}
@@ -95,7 +98,7 @@ def read_obj(path: Path) -> Mesh:
     material = 0
     text = path.read_bytes().decode("utf-8", errors="replace").replace("\\\n", " ")
     for number, line in enumerate(text.splitlines(), 1):
-        words = line.split("#", 1)[0].split()
+        words = (line.split("#", 1)[0] if "#" in line else line).split()
         try:
             if not words:
                 continue
@@ -114,6 +117,9 @@ def read_obj(path: Path) -> Mesh:
             elif words[0] == "f":
                 ring = []
                 for word in words[1:]:
+                    if (corner := spelt.get(word)) is not None:
+                        ring.append(corner)
+                        continue
                     index = word.split("/")
                     v = int(index[0])
                     t = int(index[1]) if len(index) > 1 and index[1] else 0
@@ -121,6 +127,8 @@ def read_obj(path: Path) -> Mesh:
                     if not 0 <= v < len(points) or t >= len(textures):
                         raise ValueError("a face names a vertex that is not there")
                     ring.append(corners.setdefault((v, t), len(corners)))
+                    if "-" not in word:
+                        spelt[word] = ring[-1]
                 faces += [(ring[0], ring[k], ring[k + 1]) for k in range(1, len(ring) - 1)]
                 groups += [group] * max(0, len(ring) - 2)
                 worn += [material] * max(0, len(ring) - 2)

@@ -16,7 +16,7 @@ from tambour.crochet.model.geodesic import distances, girth, lines
 from tambour.crochet.model.limbs import severed
 from tambour.crochet.model.rounds import pattern
 from tambour.crochet.model.tips import Mirror
-from tambour.crochet.model.whole import area
+from tambour.crochet.model.whole import area, corners
 from tambour.geometry.motion import dot, length
 from tambour.geometry.near import nearest as closest
 from tambour.geometry.surface import vertex_normals
@@ -67,7 +67,7 @@ def taken_off(
     every = [one for point in _proud(vertices, faces) if (one := _cut(vertices, faces, point)) is not None][:MOST]
     face: list[Bump] = []
     if plane is not None:
-        all_ = vertices[np.unique(faces)]
+        all_ = vertices[corners(faces)]
         low, high, half = all_[:, 1].min(), all_[:, 1].max(), float(np.abs(plane.off(all_)).max())
         ahead = [b for b in every if b.out[2] > AHEAD and b.at[1] > low + HIGH * (high - low)]
         ahead = [b for b in ahead if abs(float(plane.off(b.at))) < ASIDE * half]
@@ -111,13 +111,13 @@ def _cut(x: Array, faces: Array, point: Array) -> Bump | None:
 
 def _used(x: Array, faces: Array) -> tuple[Array, Array]:
     """Only the vertices that faces use, and the faces of those."""
-    used = np.unique(faces)
+    used = corners(faces)
     return x[used], np.searchsorted(used, faces)
 
 
 def _proud(x: Array, faces: Array) -> list[Array]:
     """The vertices (3,) that stand out of what lies about them, farthest first, none beside another."""
-    used = np.unique(faces)
+    used = corners(faces)
     normal = vertex_normals(x, faces)
     points = x[used]
     weight = np.zeros(len(x))

@@ -15,6 +15,7 @@ from tambour.core.progress import Progress
 from tambour.crochet.model import tips
 from tambour.crochet.model.assemble import Piece
 from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
+from tambour.crochet.model.coarse import coarse
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
@@ -35,8 +36,9 @@ FEW, MANY = 40, 60_000
 """Fewer stitches than this show no shape; more are no toy."""
 THIN = 3.0
 """A model whose parts are thinner around than this, in stitches and on the average, is none for crochet."""
-FINE = 1.0
-"""The longest edge of the surface that rounds are led over, in stitches."""
+FINE, COARSE, MOVED = 1.0, 0.5, 0.1
+"""The longest edge of the surface that rounds are led over, and how short they are at the least where it then moves by no more than
+the last, in stitches."""
 BEGINNINGS = 2
 """How many tips are tried in the simulation."""
 LARGE = 4000
@@ -78,10 +80,17 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
     stitch = (known.width, known.height)
     with progress.stage("model"):
         found = bodies(mesh, tell)
-        turn = tips.level(found[0][0], found[0][1], params.model_up)
-        turn = tips.facing(found[0][0] @ turn.T, found[0][1], params.model_front) @ turn
-        size = _scale([(x @ turn.T, faces) for x, faces, _ in found], params, stitch)
-        whole = [(size / stitch[0] * (x @ turn.T), faces) for x, faces, _ in found]
+        every = [(x, faces) for x, faces, _ in found]
+        total = sum(float(area(x, faces).sum()) for x, faces in every)
+        extent = np.ptp(np.concatenate([x for x, _ in every]), axis=0)
+        guess = _scale(total, float(extent.min()), params, stitch)  # of whichever side is up the largest
+        light = [coarse(x, faces, COARSE / guess, MOVED / guess) for x, faces in every]
+        turn = tips.level(*light[0], params.model_up)
+        turn = tips.facing(light[0][0] @ turn.T, light[0][1], params.model_front) @ turn
+        size = _scale(total, float(extent[int(np.abs(turn[1]).argmax())]), params, stitch)
+        _likely(total * size * size * stitch[0] / stitch[1])
+        whole = [(size * (x @ turn.T), faces) for x, faces in every]
+        light = [(size * (x @ turn.T), faces) for x, faces in light]
     for x, faces in whole:
         around = 4.0 * math.pi * volume(x, faces) / float(area(x, faces).sum())  # of a rod, what it is around
         if around < THIN:
@@ -92,7 +101,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
     pieces: list[Piece] = []
     history: dict[str, list[float]] = {}
     bumps: list[tuple[Bump, ...]] = []
-    for x, faces in whole:
+    for x, faces in light:
         pieces += _pieces(x, faces, params, stitch, progress, tell, pieces, history, bumps)
     target = Target.of(np.concatenate([x for x, _ in whole]), _one([f for _, f in whole], [len(x) for x, _ in whole]))
     with progress.stage("assembly"):
@@ -147,22 +156,22 @@ def _one(faces: list[Array], counts: list[int]) -> Array:
     return np.concatenate([f + n for f, n in zip(faces, first)])
 
 
-def _scale(whole: list[tuple[Array, Array]], params: CrochetParams, stitch: tuple[float, float]) -> float:
-    """What the model is enlarged by: to the stitches, or the height, that are asked for. TambourError where that is no toy."""
-    total = sum(float(area(x, faces).sum()) for x, faces in whole)
+def _scale(total: float, tall: float, params: CrochetParams, stitch: tuple[float, float]) -> float:
+    """What a model of so much surface, and so ``tall``, is enlarged by, that its unit is a stitch's width: to the stitches, or the
+    height, that are asked for."""
     if params.height is not None:
-        low, high = min(x[:, 1].min() for x, _ in whole), max(x[:, 1].max() for x, _ in whole)
-        size = params.height / (high - low)
-    else:
-        size = math.sqrt((params.stitches or STITCHES) * stitch[0] * stitch[1] / total)
-    count = total * size * size / (stitch[0] * stitch[1])
+        return params.height / tall / stitch[0]
+    return math.sqrt((params.stitches or STITCHES) * stitch[1] / stitch[0] / total)
+
+
+def _likely(count: float) -> None:
+    """TambourError for so many stitches that they are no toy."""
     if not FEW <= count <= MANY:
         raise TambourError(
             f"that is about {count:,.0f} stitches, "
             + ("too few to show a shape" if count < FEW else f"more than {MANY:,}"),
             hint="another {--height}, or {--stitches} 1000",
         )
-    return float(size)
 
 
 def _pieces(

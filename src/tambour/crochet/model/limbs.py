@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.crochet.model.geodesic import about, distances, girth, lines
 from tambour.crochet.model.tips import Mirror
 from tambour.crochet.model.trunk import trunk
-from tambour.crochet.model.whole import area, pieces
+from tambour.crochet.model.whole import area, corners, pieces
 
 SOURCES = 10
 """Points whose distances tell what lies far out."""
@@ -56,7 +56,7 @@ class Limb:
 def tips_of(vertices: Array, faces: Array) -> list[int]:
     """The vertices that lie farthest out of all about them: local maxima of the mean distance to the rest, the farthest first."""
     known = about(faces, len(vertices))
-    used = np.unique(faces)
+    used = corners(faces)
     d = distances(vertices, faces, used[:1], known)
     source = int(used[int(d[used].argmax())])
     near = np.full(len(vertices), np.inf)
@@ -200,41 +200,51 @@ def limbs(
 
     What goes on where the body ends stays with it (:mod:`tambour.crochet.model.trunk`). What is too thin to be worked is cut off, and told.
     """
-    found, x, f = _cut(vertices, faces, plane, [])
+    ends = _ends(vertices, faces)
+    found, x, f = _cut(vertices, faces, plane, [], ends)
     if kept := trunk(x, f, found, plane):
-        found, x, f = _cut(vertices, faces, plane, kept)
+        found, x, f = _cut(vertices, faces, plane, kept, ends)
     thin = sum(len(group) for group in found if group[0].around < LEAST)
     if thin:
         tell.append(
             f"{thin} limb{'s are' if thin > 1 else ' is'} left out: thinner than {LEAST:g} stitches around; "
             f"more {{--stitches}} would show {'them' if thin > 1 else 'it'}"
         )
-    used = np.unique(f)
+    used = corners(f)
     return x[used], np.searchsorted(used, f), [group for group in found if group[0].around >= LEAST]
 
 
-def _cut(x: Array, f: Array, plane: Mirror | None, kept: list[Array]) -> tuple[list[list[Limb]], Array, Array]:
-    """All limbs but those with tips (3,) ``kept``, cut off, and what is left of the surface."""
+def _cut(
+    x: Array, f: Array, plane: Mirror | None, kept: list[Array], ends: list[tuple[Array, float]]
+) -> tuple[list[list[Limb]], Array, Array]:
+    """All limbs but those with tips (3,) ``kept``, cut off, and what is left of the surface. ends : what _ends gives of it."""
     found: list[list[Limb]] = []
     for _ in range(3):  # where fingers were, a hand has its tip
-        more, x, f = _round_of(x, f, plane, kept)
+        more, x, f = _round_of(x, f, plane, kept, ends)
         found += more
         if not more:
             break
+        ends = _ends(x, f)
     return found, x, f
 
 
-def _round_of(x: Array, f: Array, plane: Mirror | None, kept: list[Array]) -> tuple[list[list[Limb]], Array, Array]:
-    """The limbs that the surface has now, cut off, the smallest first, so that what they stood on comes after them."""
-    points = [x[v] for v in tips_of(x, f) if all(((x[v] - tip) ** 2).sum() > NEAR**2 for tip in kept)][:MOST]
+def _ends(x: Array, f: Array) -> list[tuple[Array, float]]:
+    """The tips (3,) of a surface, the farthest first, each with how large the limb about it is: its length by its girth, 0 of none."""
     known = about(f, len(x))
-    used = np.unique(f)
-    sizes = {}
-    for k, p in enumerate(points):
-        tip = int(used[int(((x[used] - p) ** 2).sum(1).argmin())])
+    made = []
+    for tip in tips_of(x, f)[: 2 * MOST]:
         cut = cut_at(x, f, distances(x, f, np.array([tip]), known))
-        if cut is not None:
-            sizes[k] = cut[0] * cut[1]
+        made.append((x[tip], 0.0 if cut is None else cut[0] * cut[1]))
+    return made
+
+
+def _round_of(
+    x: Array, f: Array, plane: Mirror | None, kept: list[Array], ends: list[tuple[Array, float]]
+) -> tuple[list[list[Limb]], Array, Array]:
+    """The limbs that the surface has now, cut off, the smallest first, so that what they stood on comes after them."""
+    ends = [(p, size) for p, size in ends if all(((p - tip) ** 2).sum() > NEAR**2 for tip in kept)][:MOST]
+    points = [p for p, _ in ends]
+    sizes = {k: size for k, (_, size) in enumerate(ends) if size}
     twins = _twins(points, plane, x)
     found: list[list[Limb]] = []
     done: set[int] = set()
@@ -246,7 +256,7 @@ def _round_of(x: Array, f: Array, plane: Mirror | None, kept: list[Array]) -> tu
         rim: float | None = None
         cutoff: list[Limb] = []
         for g in group:
-            used = np.unique(f)
+            used = corners(f)
             tip = int(used[int(((x[used] - points[g]) ** 2).sum(1).argmin())])
             if ((x[tip] - points[g]) ** 2).sum() > 1.0:
                 continue  # it went with another limb
@@ -267,7 +277,7 @@ def _round_of(x: Array, f: Array, plane: Mirror | None, kept: list[Array]) -> tu
 
 def _bears(limb: Limb, tips: list[Array]) -> bool:
     """Whether one of the ``tips`` (3,) lies on a limb."""
-    own = limb.vertices[np.unique(limb.faces[limb.own])]
+    own = limb.vertices[corners(limb.faces[limb.own])]
     return any(bool((((own - tip) ** 2).sum(1) < 1.0).any()) for tip in tips)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.model.distance import Target, spread
 from tambour.crochet.model.geodesic import about, distances, girth, lines
+from tambour.crochet.model.whole import corners
 from tambour.geometry.closest import nearest, tree
 from tambour.geometry.motion import axes, turned
 
@@ -134,7 +135,7 @@ def _base(vertices: Array, faces: Array, axis: int) -> float:
 def candidates(vertices: Array, faces: Array, plane: Mirror | None) -> list[int]:
     """Vertices that rounds may begin at: the ends of the longest way, and what lies farthest out on each side; of a surface
     with a mirror those on its plane."""
-    used = np.unique(faces)
+    used = corners(faces)
     middle = vertices[used].mean(0)
     ways = [*np.eye(3), *-np.eye(3)]
     _, rows = axes(vertices[used])
@@ -179,7 +180,7 @@ def choose(surface: Target, plane: Mirror | None, side: str | None, few: int = 2
     vertices, faces = surface.vertices, surface.faces
     known = about(faces, len(vertices))
     if side is not None:
-        used = np.unique(faces)
+        used = corners(faces)
         tip = int(used[int((vertices[used] * np.array(SIDES[side])).sum(1).argmax())])
         return [(tip, distances(vertices, faces, np.array([tip]), known))]
     scored = []

@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.model.geodesic import about, distances
-from tambour.crochet.model.whole import area
+from tambour.crochet.model.whole import area, corners
 
 if TYPE_CHECKING:
     from tambour.crochet.model.limbs import Limb
@@ -27,7 +27,7 @@ ASTRAY = 0.05
 def trunk(vertices: Array, faces: Array, groups: list[list[Limb]], plane: Mirror | None) -> list[Array]:
     """The tips (3,) of at most two limbs that are not to be cut off a body with ``vertices`` (V, 3) and ``faces`` (F, 3), as rounds
     that come from them go on into it: no seam is as true as none. groups : the limbs that were cut off it, pairs together."""
-    used = np.unique(faces)
+    used = corners(faces)
     x = vertices[used]
     known = about(faces, len(vertices))
     size = float(np.sqrt((np.ptp(x, axis=0) ** 2).sum()))

@@ -36,7 +36,7 @@ def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
         )
     if len(mesh.faces) < 4 or not np.isfinite(mesh.vertices).all():
         raise TambourError("the model is no closed surface: it has fewer than four triangles, or corners nowhere")
-    used = np.unique(mesh.faces)
+    used = corners(mesh.faces)
     extent = np.ptp(mesh.vertices[used], axis=0)
     size = float(extent.max())
     if size <= 0.0 or not np.isfinite(size):
@@ -73,7 +73,7 @@ def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
     found.sort(key=lambda item: -item[0])
     made = []
     for _, mine in found:
-        here = np.unique(mine)
+        here = corners(mine)
         number = np.full(len(x), -1)
         number[here] = np.arange(len(here))
         made.append(_closed(x[here], number[mine], origin[here], tell))
@@ -85,6 +85,11 @@ def welded(vertices: Array, faces: Array, near: float) -> tuple[Array, Array, Ar
     grid = np.round(vertices / near).astype(np.int64)
     _, first, inverse = np.unique(grid, axis=0, return_index=True, return_inverse=True)
     return np.ascontiguousarray(vertices[first], np.float64), inverse.reshape(-1)[faces].astype(np.int64), first
+
+
+def corners(faces: Array) -> Array:
+    """The vertices (K,) that faces (F, 3) have, rising."""
+    return np.flatnonzero(np.bincount(faces.ravel()))
 
 
 def pieces(count: int, faces: Array) -> Array:
@@ -128,7 +133,7 @@ def _closed(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[Arr
     if label.max() > 0:
         keep = int(np.bincount(label[faces[:, 0]], area(x, faces)).argmax())
         faces = faces[label[faces[:, 0]] == keep]
-        here = np.unique(faces)
+        here = corners(faces)
         faces = np.searchsorted(here, faces)
         x, origin = x[here], origin[here]
         tell.append("what hung on the model by a single corner is left out")
