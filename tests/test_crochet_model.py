@@ -121,7 +121,7 @@ def test_a_limb_that_is_missing_is_seen_from_the_target() -> None:
 @given(st.integers(8, 40), st.floats(0.4, 2.5), st.floats(0.3, 3.0))
 @settings(max_examples=8, deadline=None)
 def test_a_coarse_surface_is_one_skin_of_its_own_corners_and_as_large(rings: int, tall: float, short: float) -> None:
-    x, faces = globe(10.0, rings, tall)
+    x, faces, _ = bodies(Mesh(*globe(10.0, rings, tall)), [])[0]
     y, fewer = coarse(x, faces, short, 0.1)
     assert len(y) - len(fewer) // 2 == 2 and len(fewer) <= len(faces)  # Euler: closed, without handles
     edges = np.concatenate([fewer[:, :2], fewer[:, 1:], fewer[:, ::-2]])
