@@ -85,3 +85,33 @@ def test_the_first_of_two_is_not_the_second(name: str, words: str) -> None:
     text = f"Toy\n\n{first}\nRnd 1: 5 sc in magic ring. (5)\nRnd 2: 2 sc in each sc around. (10)\nFasten off.\n\n{name}\nWork as given for {words}.\n"
     pattern = read(Text(text, "toy.txt"))
     assert not pattern.unread and [w.edge for w in build(pattern).worked if w.line.in_round] == [5, 10, 5, 10]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "from the second leg ch 3 and join to the first leg with a sc (this is the first stitch), 11 sc around the first leg, 3 sc "
+        "along the chain, 12 sc around the second leg, 3 sc along the other side of the chain",
+        "join legs: sc 12 along leg 1, ch 3, sc 12 along leg 2, sc 3 in chain",
+        "ch 3, join to leg 1 with sc, sc 11 around leg 1, sc 3 across the chain, sc 12 around leg 2, sc 3 across the chain",
+        "12 sc around the second leg, ch 3, 12 sc around the first leg, 3 sc along the chain",
+    ],
+)
+def test_two_legs_are_one_body_as_shops_word_it(words: str) -> None:
+    """Each of these left a doll on one leg."""
+    text = f"""Doll
+
+LEGS (make 2)
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3-5: 12 sc (12)
+
+BODY
+Rnd 6: {words} (30)
+Rnd 7: 30 sc (30)
+"""
+    pattern = read(Text(text, "doll.txt"))
+    assert not pattern.unread, pattern.unread
+    built = build(pattern)
+    assert len(built.graph.parts) == 1
+    assert [r.count for r in built.rounds if r.number in (6, 7) and r.count][-2:] == [30, 30]

@@ -77,9 +77,10 @@ class Spots:
         """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself. Of a printed toy
         as their seams will run: what hands sew is put where it looks right, however a seam has wandered."""
         from tambour.crochet.graph.layout import rounds
+        from tambour.crochet.graph.sided import sided
 
         graph = self.built.graph
-        x = rounds(graph, graph.rest / graph.stitch_width)
+        x = sided(self, rounds(graph, graph.rest / graph.stitch_width))
         return self._slanted(x) if self.built.pattern.terms else x
 
     def _slanted(self, x: Array) -> Array:

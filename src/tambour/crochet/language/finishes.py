@@ -36,6 +36,7 @@ class Placed:
     tilt : how far it leans from straight out, degrees; towards: where to, degrees counter-clockwise from up, from outside
         (up is that of the toy as it stands; on a part that leans it leans with the part)
     by : the round of the part that is sewn, None for its last
+    through : it is not sewn, but held to the work while that round is worked, and so many stitches of it go through both
     """
 
     part: str
@@ -45,6 +46,7 @@ class Placed:
     tilt: float = 0.0
     towards: float = 0.0
     by: float | None = None
+    through: int = 0
     span: Span = field(default=Span(0, 0), compare=False)
 
 
@@ -129,7 +131,14 @@ _SPOT = {"round": (0.0, 100_000.0), "stitch": (0.0, 100_000.0)}
 KINDS: Final[dict[str, tuple[str, dict[str, tuple[float, float]]]]] = {
     "place": (
         "place(Ear.1, Head, round=14.5, stitch=8, tilt=20, towards=90, flat)",
-        {**_SPOT, "across": _DEGREES, "tilt": (-90.0, 90.0), "towards": _DEGREES, "by": (0.0, 100_000.0)},
+        {
+            **_SPOT,
+            "across": _DEGREES,
+            "tilt": (-90.0, 90.0),
+            "towards": _DEGREES,
+            "by": (0.0, 100_000.0),
+            "through": (0.0, 10_000.0),
+        },
     ),
     "tie": ("tie(Body, 12:5, 14:20, apart=24)", {"apart": (0.0, 10_000.0)}),
     "eye": ("eye(Head, round=14.5, stitch=20, size=9, color=black)", {**_SPOT, "size": (1.0, 100.0)}),
@@ -234,6 +243,7 @@ def _place(
     plain = plain[:2] + [(text, at) for text, at in plain[2:] if text.lower() != "flat"]
     if not _needs(source, plain, values, 2, 2, usage, span):
         return None
+    values["through"] = int(values.get("through", 0))
     return Placed(plain[0][0], _spot(plain[1][0], values, plain[1][1]), flat=bool(flat), span=span, **values)
 
 

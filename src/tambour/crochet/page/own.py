@@ -170,7 +170,7 @@ def finishing(record: Finish, names: Mapping[str, str] = MappingProxyType({})) -
                 part(record.spot.part),
                 *at(record.spot),
                 *flat,
-                *odd("across", "tilt", "towards", "by"),
+                *odd("across", "tilt", "towards", "by", "through"),
             ]
         case Tie():
             what, said = "tie", [part(record.spots[0].part), *places(record.spots), f"apart={number(record.apart)}"]

@@ -65,8 +65,12 @@ def steps(piece: Plush) -> list[Step]:
     filled = [k for k, p in enumerate(graph.parts) if p.end > p.start]
     groups: list[tuple[list[int], list[int]]] = []  # parts, records
     held: set[int] = set()
+    inside: dict[int, list[int]] = {}  # part → those that are crocheted into it
     for number, record in enumerate(built.pattern.finish):
-        if isinstance(record, Placed) and record.part in names:
+        if isinstance(record, Placed) and record.through and record.part in names:
+            inside.setdefault(names.get(record.spot.part, -1), []).append(names[record.part])
+            held.add(names[record.part])
+        elif isinstance(record, Placed) and record.part in names:
             k = names[record.part]
             if groups and groups[-1][0] and sections[groups[-1][0][-1]] == sections[k]:
                 groups[-1][0].append(k)
@@ -91,10 +95,10 @@ def steps(piece: Plush) -> list[Step]:
             else:
                 seams.append(([k], []))
     first = [k for k in loose if k == main or k not in sewn]
-    there, made = list(first), []
+    there, made = [*first, *(arm for k in first for arm in inside.get(k, ()))], []
     face: list[Finish] = [f for f in built.pattern.finish if isinstance(f, Eye)]  # put in while their part is open
     for parts, records in _in_order([*seams, *groups], first, lambda n: _on(built.pattern.finish[n], names)):
-        there += parts
+        there += [*parts, *(arm for k in parts for arm in inside.get(k, ()))]
         face += [built.pattern.finish[n] for n in records if not isinstance(built.pattern.finish[n], (Placed, Eye))]
         # A face is only shown on parts that are there.
         shown = tuple(f for f in face if _on(f, names) in there)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import PurePath
 from typing import Final
 
@@ -11,7 +12,7 @@ from tambour.core.errors import Span, TambourError
 from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.built import Built, Done
-from tambour.crochet.language.finishes import Embroidery, Hair
+from tambour.crochet.language.finishes import Embroidery, Hair, Placed
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Section
 from tambour.crochet.page.plain import fills, reach
@@ -66,7 +67,7 @@ class Writer:
     def __init__(self, built: Built, terms: Terms, exact: bool) -> None:
         self.exact = exact
         self.built, self.terms, self.pattern = built, terms, built.pattern
-        self.sections = list(sections(built))
+        self.sections = list(sections(built, inside=not exact))
         copies = {s.name: s.copies for s in self.pattern.parts if s.name}
         self.hues = {} if exact else spoken(terms.code)
         self.phrases = Phrases(terms, copies, self._legend(), self.hues)
@@ -122,7 +123,8 @@ class Writer:
         if not self.exact:
             from tambour.crochet.page.placed import Spoken
 
-            finish = Spoken(self.built, self.terms)(self.pattern.finish)
+            after = [r for r in self.pattern.finish if not (isinstance(r, Placed) and r.through)]
+            finish = Spoken(self.built, self.terms)(after)
         else:
             finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
@@ -341,6 +343,9 @@ class Writer:
         return self._stitch(done)
 
     def _stitch(self, done: Done) -> str:
+        if done.labels:  # the part that it goes through as well
+            items = self._stitch(replace(done, labels=()))
+            return self.terms.page["worked in"].format(items=items, part=done.labels[0])
         stitch = self.pattern.stitches[done.what]
         if stitch.inner:
             inner = ", ".join(self._stitch(Done(name, times)) for name, times in stitch.inner)

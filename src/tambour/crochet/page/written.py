@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from tambour.crochet.graph.built import Built, Done
-from tambour.crochet.language.stitches import RULES
+from tambour.crochet.language.finishes import Placed
+from tambour.crochet.language.stitches import RULES, Stitch
 from tambour.crochet.language.tree import Section
 
 # The longest repeat that is looked for, in different stitches in a row.
@@ -36,8 +38,11 @@ class Written:
     said: int = 0
 
 
-def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
-    """Every part of the text with the place of its first copy in the graph's parts, and its lines."""
+def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int, list[Written]]]:
+    """Every part of the text with the place of its first copy in the graph's parts, and its lines.
+
+    inside : stitches that go through a part that is crocheted in name it (``labels``)
+    """
     keep: list[Done] = []
     section: Section | None = None
     part = first = -1
@@ -45,7 +50,8 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":
             if section is not None:
-                yield section, first, _lines(section, keep, numbered)
+                through = _through(built, section) if inside else {}
+                yield section, first, _lines(section, keep, numbered, through, built.pattern.stitches)
             index, copy = done.numbers
             part += 1
             section, keep, first = (built.pattern.parts[index] if copy == 1 and index >= 0 else None), [], part
@@ -53,7 +59,48 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
             keep.append(done)
 
 
-def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Written]]) -> list[Written]:
+_Runs = list[tuple[int, int, str]]
+"""Stitches that go through a part as well: the first of them, from 0, how many, and its name."""
+
+
+def _through(built: Built, section: Section) -> dict[int, _Runs]:
+    """The stitches of a part's rounds, by their numbers, that go through parts which are crocheted in."""
+    made: dict[int, _Runs] = {}
+    for record in built.pattern.finish:
+        if not isinstance(record, Placed) or not record.through:
+            continue
+        at = record.spot
+        if at.stitch is not None and at.part in (section.name, f"{section.name}.1"):
+            first = round(at.stitch - 0.5 * (record.through + 1))
+            made.setdefault(int(at.round), []).append((first, record.through, record.part.replace(".", " ")))
+    return {number: sorted(runs) for number, runs in made.items()}
+
+
+def _named(line: list[Done], runs: _Runs, stitches: Mapping[str, Stitch]) -> list[Done]:
+    """What was done in a round, with its stitches that go through another part apart from the others."""
+    made: list[Done] = []
+    at = 0
+    for done in line:
+        makes = stitches[done.what].makes if done.what not in RULES else 0
+        if makes != 1:
+            made, at = [*made, done], at + makes * done.times
+            continue
+        end = at + done.times
+        cuts = sorted({at, end, *(c for a, n, _ in runs for c in (a, a + n) if at < c < end)})
+        for a, b in pairwise(cuts):
+            part = next((name for first, n, name in runs if first <= a < first + n), "")
+            made.append(replace(done, times=b - a, labels=(part,) if part else ()))
+        at = end
+    return made
+
+
+def _lines(
+    section: Section,
+    log: list[Done],
+    numbered: dict[str, dict[int, Written]],
+    through: Mapping[int, _Runs],
+    stitches: Mapping[str, Stitch],
+) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
     stated = [line.stated or 0 for line in section.lines for _ in range(line.times)]
     made: list[Written] = []
@@ -91,6 +138,8 @@ def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Writ
                 number = last
             else:
                 number = 0
+            if number in through:
+                line = _named(line, through[number], stitches)
             count = done.times if makes else 0
             hers = said if count and said != count else 0
             written = Written(number, 1, makes, tuple(brackets(line)), count, tuple(notes), hers)

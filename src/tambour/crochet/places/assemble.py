@@ -76,10 +76,30 @@ class Assembly(Likely):
         if self.parts:
             self._shaped()
         self.heard = Heard(self.parts, sentences, self.text)
+        self.heard.puts[:0] = self._worked_in()
         self.made.lost = self.heard.lost
         self.dog = re.search(r"\b(?:dog|puppy|pup|hound|dachshund|spaniel|poodle)\b", self.text[:200]) is not None
         if self.parts:
             self.main = self._main()
+
+    def _worked_in(self) -> list[Put]:
+        """Puts of parts that are crocheted in: no other sentence says more of where they are."""
+        made = {p.copy(k): (p, k) for p in self.parts for k in range(1, p.copies + 1)}
+        made |= {p.name: (p, 1) for p in self.parts if p.copies == 1}
+        return [
+            Put(
+                [made[r.part]],
+                made[r.spot.part],
+                "",
+                Where(
+                    (r.spot.round, r.spot.round, False), r.spot.stitch, words=frozenset(("flat",)), through=r.through
+                ),
+                r.span,
+                0,
+            )
+            for r in self.built.pattern.finish
+            if isinstance(r, Placed) and r.through and r.part in made and r.spot.part in made
+        ]
 
     def _main(self) -> Made:
         """What everything else is put on: what parts are sewn to and is sewn to nothing, else the body, else the head,

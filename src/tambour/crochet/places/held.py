@@ -77,7 +77,7 @@ class Holder(Beside):
     def _placed(self, put: Put, copy: Copy, spot: Spot, way: Way, host: Host) -> Placed:
         """The record of a copy at its spot, turned as its way says."""
         at = put.where
-        flat = self._flat(copy, way)
+        flat = self._flat(copy, way) or (bool(at.through) and not self._shut(copy))
         if at.rounds is not None and not flat and way.flat is None and abs(at.rounds[1] - at.rounds[0]) >= 3:
             flat = self.work.open(copy[0].copy(copy[1])) >= 4
         frame = self.stand.frame(spot)
@@ -121,7 +121,7 @@ class Holder(Beside):
                 and at.rounds[2]
                 and at.rounds[1] - at.rounds[0] <= 1
                 and copy[0].kind in ("arm", "leg", "wing")
-            ):
+            ) or at.through:
                 line = np.cross(n, host.axis)
             if abs(float(line @ n)) > _ALONG_OUT * math.sqrt(float(line @ line)):
                 line = along  # what is sewn to the front runs across it
@@ -138,7 +138,8 @@ class Holder(Beside):
             if wide and self._lengthwise(copy):
                 across = 90.0
         name = copy[0].copy(copy[1])
-        record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
+        towards = _STEP * round(towards / _STEP) % 360.0
+        record = Placed(name, spot, flat, across, tilt, towards, None, at.through, put.span)
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record

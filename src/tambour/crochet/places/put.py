@@ -105,6 +105,10 @@ class Putter(Jointer):
         if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):
             pair = usual(kind, 2, lying=lies, long=self._long(put.copies[0]), words=wanted)
             right = "right" in made.words or "right" in put.where.words or (made.copies == 2 and put.copies[0][1] == 2)
+            if put.where.through and put.where.rounds is not None:  # on the side that its stitches are on
+                at = Spot(work.host(onto).name, put.where.rounds[0], put.where.stitch)
+                x = float(self.stand.frame(at).points[0][0] - work.host(onto).box[0][0])
+                right = (x >= 0.0) != (pair[0].at[0] >= 0.0)
             ways = [pair[1] if right else pair[0]]
         if (
             kind in ("leg", "foot")

@@ -99,7 +99,7 @@ class Where:
     the front, negative to its right; apart : stitches, apart_mm : or mm
     wide : stitches that a thing is wide; words : of :data:`_WHERE` that were said
     beside : (relation, thing, so many rounds or stitches away or None); angle : degrees of leaning, None unsaid
-    shown : a picture is meant to say it
+    shown : a picture is meant to say it; through : it is crocheted in by so many stitches
     """
 
     rounds: tuple[float, float, bool] | None = None
@@ -113,6 +113,7 @@ class Where:
     angle: float | None = None
     shown: bool = False
     text: str = field(default="", compare=False)
+    through: int = 0
 
     @property
     def says(self) -> bool:

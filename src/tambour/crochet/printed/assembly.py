@@ -71,8 +71,14 @@ def _subject(one: Said, heard: Sentence) -> str:
     return heard.exact.part.partition(".")[0] if isinstance(heard.exact, Placed) else one.part
 
 
-def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette, usual: bool) -> Assembled | None:
-    """What the sentences of a pattern, as worked, and its parts' names, say of its assembly; None where nothing is said."""
+def assembled(
+    built: Built, said: list[Said], phrases: Phrases, palette: Palette, usual: bool, inside: list[Placed]
+) -> Assembled | None:
+    """What the sentences of a pattern, as worked, and its parts' names, say of its assembly; None where nothing is said.
+
+    inside : the parts that its rounds hold, as they are worked
+    """
+    built = replace(built, pattern=replace(built.pattern, finish=tuple(inside))) if inside else built
     if not said and (not usual or len(built.pattern.parts) < 2):
         return None
     sentences = []

@@ -254,6 +254,8 @@ class Walk(Trade):
                 self.other_side(found)
             else:
                 self.to_separator()
+        elif token.word in _FLAT and self.closed_flat(found, token):
+            return
         elif token.word in _FLAT:
             while c.look() is not None and not c.mark(",", ".", ";") and not c.key("thicknesses"):
                 c.at += 1  # "flatten piece and work through both thicknesses"
@@ -309,7 +311,10 @@ class Walk(Trade):
         action = self.phrases(begin, c.tokens[end - 1].end) if end > c.at else None
         if action is None:
             return False
-        found.append(action)
+        if action.name == "fold" and not action.labels:
+            self.folded(found, action)
+        else:
+            found.append(action)
         c.at = end
         return True
 

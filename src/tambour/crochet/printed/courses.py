@@ -15,6 +15,7 @@ from tambour.crochet.printed.tokens import Token
 _ALONG: Final = frozenset(
     ("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left")
 )
+_CLOSES: Final = frozenset(("close", "closed", "shut", "across"))
 _HAVING: Final = frozenset(("having", "increasing", "decreasing", "easing", "spacing", "keeping"))
 PIECES: Final = frozenset(
     ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
@@ -55,6 +56,9 @@ class Courses(Reader):
         led_by = first.word in _ALONG
         self.to_separator()
         clause = c.tokens[begin : c.at]
+        if self.edge is not None and found and any(t.value == "thicknesses" for t in clause):
+            self.folded(found, Action("fold", first.span))  # "sc 4 across the top through both layers"
+            return True
         found_at = moved(clause)
         before = c.tokens[begin - 1] if begin else None
         tail = before is not None and (
@@ -125,9 +129,36 @@ class Courses(Reader):
             self.body.both = True
             self.to_separator()
             return
-        found.append(Action("fold", token.span))
+        self.folded(found, Action("fold", token.span))
         while self.c.look() is not None and not self.c.mark(",", ".", ";") and not self.c.kind("stitch"):
             self.c.at += 1
+
+    @staticmethod
+    def folded(found: list[Item], fold: Action) -> None:
+        """Puts a fold into what is done, once: before the stitches that it is said behind, "sc 4 through both layers"."""
+        if not any(isinstance(i, Action) and i.name == "fold" for i in found):
+            last = found[-1] if found else None
+            found.insert(len(found) - (isinstance(last, Action) and makes(last)), fold)
+
+    def closed_flat(self, found: list[Item], token: Token) -> bool:
+        """Whether the sentence at the cursor folds the edge and closes it with so many stitches: "Press flat and work 7 sc through both sides
+        to close"; it is read then."""
+        c = self.c
+        end = next((k for k in range(c.at, len(c.tokens)) if c.mark(".", ";", "(", "[", ahead=k - c.at)), len(c.tokens))
+        some = c.tokens[c.at : end]
+        closes = any(t.value == "thicknesses" or t.word in _CLOSES for t in some)
+        if self.edge is None or not closes or any(t.word == "around" or t.word in PIECES for t in some):
+            return False
+        for k in range(c.at, end):
+            if c.tokens[k].kind != "stitch" or c.tokens[k].value not in ("sc", "slst", "hdc"):
+                continue
+            for many in (c.tokens[k - 1], *c.tokens[k + 1 : k + 2]):
+                if many.kind == "number" and isinstance(many.value, int):
+                    self.folded(found, Action("fold", token.span))
+                    found.append(Action(str(c.tokens[k].value), c.tokens[k].span, many.value, many.span))
+                    c.at = end
+                    return True
+        return False
 
     def _piece(self, at: int) -> bool:
         """Whether the word at ``at`` is one for a piece that is held; "first st" is none."""

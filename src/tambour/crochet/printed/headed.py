@@ -14,6 +14,7 @@ from tambour.crochet.printed.bases import base, based, elsewhere, frilled, is_fi
 from tambour.crochet.printed.beyond import again_made, another, edged_again, edging, not_drawn
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counted import count_in
+from tambour.crochet.printed.crocheted import crocheted_in
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
@@ -80,6 +81,9 @@ class Headed(State):
         both = united(
             self, draft, tokens, lambda some, edge: decided(self.source, some, self.palette, edge, self.phrases), span
         )
+        if both is None:
+            tokens, held = crocheted_in(self, draft, tokens, span)
+            self.held += held
         if both is not None and head.numbers and head.numbers[0] <= draft.last:
             draft.offset = draft.last
             head = replace(head, numbers=tuple(n + draft.offset for n in head.numbers))

@@ -15,6 +15,7 @@ from tambour.crochet.places.onward import worked_on
 from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.colors import dyeing
+from tambour.crochet.printed.crocheted import hang
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
@@ -130,7 +131,7 @@ class Printed(Headed):
         copies = {part.name: part.copies for part in pattern.parts}
         given = {k.upper(): rgb for k, rgb in self.palette.given.items()}
         phrases = Phrases(self.phrases.terms, copies, given, self.phrases.hues)
-        found = assembled(built, self.sentences, phrases, self.palette, usual)
+        found = assembled(built, self.sentences, phrases, self.palette, usual, hang(built, self.held))
         if found is None:
             return pattern
         for span in found.lost:

@@ -29,6 +29,7 @@ from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
 
 if TYPE_CHECKING:
+    from tambour.crochet.printed.crocheted import Held
     from tambour.crochet.printed.stripes import Plan
 
 _KNOWN: Final = (
@@ -117,6 +118,7 @@ class State:
         self.handed = False  # the sentence before this one was something that hands do
         self.edged = False  # it worked along an edge that is no round's
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
+        self.held: list[Held] = []  # words that hold parts to the round that is worked
 
     def _begins_round(self, tokens: list[Token], alone: bool) -> bool:
         """Whether words begin with the head of a round or, ``alone``, with the capital of an instruction."""

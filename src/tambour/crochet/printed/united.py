@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Final
@@ -38,6 +39,7 @@ def united(
     """
     if sum(t.kind == "stitch" for t in tokens) < 2:
         return None
+    tokens = _plainly(p, tokens)
     twins = _twins(p, draft, tokens)
     if twins is None:
         return None
@@ -74,6 +76,40 @@ def united(
         whole.stated, whole.stated_span = stated.stated, stated.stated_span
         whole.fit = 2 if stated.stated == made else 0
     return whole
+
+
+def _plainly(p: State, tokens: list[Token]) -> list[Token]:
+    """The words of a round with "leg 1" as "first leg", without remarks in brackets, and "from the second leg ch 3 and join to the first"
+    as what is done there: "ch 3, join to the first"."""
+    nouns = {one(w) for d in p.parts if d.begun() and not d.merged for w in re.findall(r"[^\W\d_]+", d.name.lower())}
+    made: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        token, after = tokens[at], tokens[at + 1] if at + 1 < len(tokens) else None
+        end = next((k for k in range(at, len(tokens)) if tokens[k].word == ")"), at) if token.word == "(" else at
+        if end > at and not any(t.kind in ("stitch", "number") for t in tokens[at:end]):
+            at = end + 1  # "(this is the first stitch)"
+        elif token.kind == "word" and one(token.word) in nouns and after is not None and after.value in (1, 2):
+            made += [replace(after, kind="ordinal"), token]
+            at += 2
+        elif token.word == "from" and at + 3 < len(tokens) and _rank(tokens[at + 1]) and tokens[at + 3].value == "ch":
+            at += 3
+        else:
+            joins = token.word == "and" and after is not None and after.value == "join" and made
+            made.append(Token("mark", ",", token.start, token.start) if joins else token)
+            at += 1
+    colon = next((k for k, t in enumerate(made[:4]) if t.word == ":"), 0)
+    return made[colon + 1 :] if colon and made[0].value == "join" else made  # "join legs: sc 12 along leg 1"
+
+
+def _counted_alone(rest: list[Token], chained: bool) -> list[Token]:
+    """So many stitches along a piece or a chain ("3 sc along the other side of the chain") as their number alone."""
+    counted = next((k for k in range(len(rest)) if rest[k].word in ("(", "[") and _count(rest, k)), len(rest))
+    rest, behind = rest[:counted], rest[counted:]
+    numbers = [t for t in rest if t.kind == "number" and isinstance(t.value, int)]
+    made = [t for t in rest if t.kind == "stitch" and t.value != "ch"]
+    into = not chained and any(t.kind == "key" and t.value in ("in", "each", "next") for t in rest)
+    return [*([numbers[0], made[0]] if len(numbers) == len(made) == 1 and not into else rest), *behind]
 
 
 def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, str] | None:
@@ -170,6 +206,7 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
         spaces = any(t.value == "ch" and k and rest[k - 1].value != "ch" for k, t in enumerate(rest) if k) or any(
             t.value in ("foundation", "side") for t in rest
         )
+        rest = _counted_alone(rest, not pieces) if pieces or (spaces and chain) else rest
         stop = [Token("mark", ".", rest[-1].end, rest[-1].end)]
         if pieces or (spaces and chain and stitches):
             piece = pieces.pop() if pieces else 2
@@ -183,6 +220,14 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
         else:
             waiting += [*rest, *stop]
     order = [run.piece for run in runs]
+    if chain and order in (
+        [1, 0, 2],
+        [0, 1, 2],
+    ):  # the chains are stitches of this round, and their other side is worked into
+        side = runs[-1].tokens[:2]
+        if [t.kind for t in side] in (["number", "stitch"], ["stitch", "number"]):
+            runs.insert(1, Run(2, [*side, Token("mark", ".", side[-1].end, side[-1].end)]))
+            order.insert(1, 2)
     fair = order in ([0, 1, 0], [0, 1], [1, 0]) if not chain else order in ([1, 2, 0, 2], [0, 2, 1, 2])
     return (runs, chain) if fair else None
 

@@ -187,7 +187,7 @@ class Phrases:
 
         match record:
             case Placed():
-                clauses = {name: odd(name) for name in ("flat", "across", "tilt", "towards", "by")}
+                clauses = {name: odd(name) for name in ("flat", "across", "tilt", "towards", "by", "through")}
                 return self.say("place", part=record.part, onto=record.spot.part, spot=record.spot, **clauses)
             case Tie():
                 one, far = record.spots
@@ -312,7 +312,7 @@ class Phrases:
             return r"[A-Z]\d*"
         if field == "hex":
             return r"#[0-9a-f]{6}"
-        if field in ("count", "next", "first", "last"):
+        if field in ("count", "next", "first", "last", "through"):
             return r"\d{1,9}"
         if field in ("name", "item", "items"):
             return ".+?"
@@ -333,7 +333,7 @@ class Phrases:
             return [self._place(piece) for piece in words.split(";")]
         if field in ("label", "one", "other", "letter", "name", "item", "items"):
             return words.upper() if field == "letter" else words
-        return int(words) if field in ("count", "next", "first", "last") else float(words)
+        return int(words) if field in ("count", "next", "first", "last", "through") else float(words)
 
     def _place(self, words: str) -> tuple[float, float | None]:
         found = self.read(words, ("at between", "at round"))

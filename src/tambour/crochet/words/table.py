@@ -55,7 +55,7 @@ SENTENCES: Final = {
     "up end": "",
     "up side": "",
     # Finishing.
-    "place": "part onto spot flat across tilt towards by",
+    "place": "part onto spot flat across tilt towards by through",
     "eye": "part spot size color",
     "tie": "part spot far apart",
     "embroider": "part spots color width",

@@ -1,0 +1,70 @@
+"""Sided: a body stands so that a pair of parts that are crocheted into one of its rounds hangs at its sides.
+
+Where a round begins, words do not say, and in the hand it wanders: what is counted from there is right as the pair is left and right.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.language.finishes import Placed
+
+if TYPE_CHECKING:
+    from tambour.crochet.graph.spots import Spots
+
+
+def sided(spots: Spots, x: Array) -> Array:
+    """First positions ``x`` (N, 3) with such bodies turned, or, above the legs that they are worked on from, twisted."""
+    pairs: dict[tuple[str, float], list[Placed]] = {}
+    for record in spots.built.pattern.finish:
+        if isinstance(record, Placed) and record.through and record.spot.part in spots.parts:
+            pairs.setdefault((record.spot.part, record.spot.round), []).append(record)
+    done: set[int] = set()
+    for (name, number), pair in pairs.items():
+        part = spots.parts[name]
+        k = spots.round_at(part, int(number))
+        if len(pair) != 2 or k is None or part in done or any(r.spot.stitch is None for r in pair):
+            continue
+        done.add(part)
+        nodes = spots.stitches(k)
+        ends = [x[nodes[round((r.spot.stitch or 1.0) - 1.0) % len(nodes)]] for r in pair]
+        way = ends[1] - ends[0]
+        if math.hypot(way[0], way[2]) < 1.0:
+            continue
+        angle = math.atan2(way[2], way[0])
+        angle -= math.pi * round(angle / math.pi)  # the nearer of both ways round: left and right are told by nothing
+        x = _turned(spots, x, part, k, angle)
+    return x
+
+
+def _turned(spots: Spots, x: Array, part: int, k: int, angle: float) -> Array:
+    """A part turned by ``angle`` about the middle of its round ``k``; legs that it stands on stay as they are."""
+    p, nodes = spots.built.graph.parts[part], spots.stitches(k)
+    own = np.arange(p.start, p.end)
+    legs = [r.last for r in spots.built.rounds if r.part == part and r.number == 1]
+    high, share = x[own, 1], np.ones(len(own))
+    if len(legs) > 1:
+        joins = max(int(last) for last in legs)
+        above = [
+            r
+            for r in spots.built.rounds
+            if r.part == part and r.first > joins and r.count > 1.5 * _usual(spots, part, joins)
+        ]
+        low = float(x[above[0].first : above[0].last + 1, 1].mean()) if above else float(high.min())
+        share = np.clip((high - low) / max(float(x[nodes, 1].mean()) - low, 1e-6), 0.0, 1.0)
+    middle = x[nodes].mean(0)
+    made = x.copy()
+    c, s = np.cos(angle * share), np.sin(angle * share)
+    a, b = x[own, 0] - middle[0], x[own, 2] - middle[2]
+    made[own, 0], made[own, 2] = middle[0] + c * a + s * b, middle[2] - s * a + c * b
+    return made
+
+
+def _usual(spots: Spots, part: int, joins: int) -> float:
+    """How many stitches the round before a leg's first has, which is the other leg's last."""
+    before = [r.count for r in spots.built.rounds if r.part == part and r.last < joins and r.count]
+    return float(before[-1]) if before else 1.0
