@@ -12,18 +12,20 @@ from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.attach import attach
 from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
+from tambour.crochet.graph.edges import edge
 from tambour.crochet.graph.ends import fasten_off, join_round, turn
+from tambour.crochet.graph.fits import around, ends_around, spaces, spread
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
-from tambour.crochet.graph.spaces import into_space, pass_rest, spaces_ahead
+from tambour.crochet.graph.spaces import into_space, pass_rest
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
-from tambour.crochet.language.stitches import MOST, RULES, STITCHES, Stitch
+from tambour.crochet.language.stitches import RULES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
 
 # Actions that make no node may be repeated this many times per node that a pattern may make.
 _IDLE = 4
 # Actions after which a line is no longer on the edge that it began on.
-_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo", "oval", "fsc"}
+_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo", "oval", "fsc", "edge"}
 
 
 def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict: bool = False) -> Built:
@@ -217,7 +219,7 @@ class _Worker:
             self._item(item)
         if hook.now.spare >= 0:
             leave_spare(hook)
-        if line.in_round and self._spaces(_around_last(line.items)):
+        if line.in_round and spaces(ends_around(line.items), self.pattern.stitches):
             pass_rest(hook)
         edge = hook.now.count + hook.joined
         for note in line.notes:
@@ -231,9 +233,14 @@ class _Worker:
         self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
 
     def _check_count(self, line: Line, made: int) -> None:
-        """A stated count may mean the stitches made in the round or those on its edge; slip stitches count there."""
-        edge = self.hook.now.count + self.hook.joined
+        """A stated count may mean the stitches made in the round or those on its edge, chains aside or not; slip stitches count there."""
+        hook = self.hook
+        edge = hook.now.count + hook.joined
         if line.stated in (edge, made) or line.stated is None:
+            return
+        if line.stated == made - sum(
+            hook.styles[hook.style[n]][0] == "ch" and n not in hook.lifts for n in range(self.fresh, len(hook))
+        ):
             return
         shown = made if self.hook.now.left == self.hook.now.count else edge
         self.problems.append(
@@ -250,7 +257,12 @@ class _Worker:
         if isinstance(item, Action):
             self._action(item)
             return
-        times = self._around(item) if item.times is None else item.times
+        if item.times is None:
+            times, doubt = around(self.hook, item, self.pattern.stitches)
+            if doubt is not None:
+                self._doubt(*doubt, item.span)
+        else:
+            times = item.times
         if item.times is not None:
             self.numbers.append((times, item.span))
         for _ in range(times):
@@ -259,57 +271,6 @@ class _Worker:
                 self._item(inner)
         if item.times is not None:
             self.numbers.pop()
-
-    def _around(self, group: Group) -> int:
-        """How often the group goes into what is left of the round."""
-        hook = self.hook
-        hook.span = group.span
-        spaces = self._spaces(group.items)
-        if spaces:
-            times = spaces_ahead(hook) // spaces
-            if times == 0:
-                raise hook.fail("the round has no chain space left for this", "give a number instead")
-            return times
-        takes = self._takes(group.items)
-        if takes == 0:
-            raise hook.fail("around never ends: these stitches use up none of the round", "give a number instead")
-        ahead = max(0, hook.ahead)
-        if hook.now.folded:
-            ahead = (ahead + 1) // 2  # pairs
-        ahead = max(0, ahead - group.leaves)
-        if group.leaves and not ahead:
-            return 0
-        times, over = divmod(ahead, takes)
-        if times == 0:
-            raise hook.fail(f"around needs {takes} stitches, the round has {ahead} left", "give a number instead")
-        if over:
-            self._doubt(
-                f"{over} of the {ahead} stitches of the round are left over",
-                f"the brackets use up {takes} each time",
-                group.span,
-            )
-        return times
-
-    def _takes(self, items: tuple[Item, ...]) -> int:
-        total = 0
-        for item in items:
-            if isinstance(item, Group):
-                total += (item.times or 0) * self._takes(item.items)
-            elif item.name == "gap":
-                total += self.hook.ahead
-            elif item.name in self.pattern.stitches:
-                total += item.times * self.pattern.stitches[item.name].takes
-        return total
-
-    def _spaces(self, items: tuple[Item, ...]) -> int:
-        """How many chain spaces the items work into."""
-        total = 0
-        for item in items:
-            if isinstance(item, Group):
-                total += (item.times or 0) * self._spaces(item.items)
-            elif item.name in self.pattern.stitches and self.pattern.stitches[item.name].where == "sp":
-                total += item.times
-        return total
 
     def _doubt(self, message: str, hint: str, span: Span) -> None:
         if span not in self._told:
@@ -378,6 +339,8 @@ class _Worker:
                     self.fresh = len(hook)  # what was worked before it belongs to the row below
             case "oval":
                 oval(hook, *action.numbers)
+            case "edge":
+                edge(hook, *action.numbers)
             case "fsc":
                 foundation_row(hook, action.numbers[0], self.pattern.stitches["sc"])
             case "fold":
@@ -386,7 +349,7 @@ class _Worker:
                 self.left = hook.ahead  # the next round begins with it
                 join_round(hook)
             case "gap":
-                self._gap(action.numbers[0])
+                spread(hook, action.numbers[0])
         if action.name != "mark":
             hook.last_mark = None
         self._note(action)
@@ -412,24 +375,6 @@ class _Worker:
             through_both(self.hook, stitch, action.times)
         else:
             self.hook.stitch(stitch, action.times)
-
-    def _gap(self, count: int) -> None:
-        """``count`` single crochets spread evenly over what is ahead of a round that nobody could read."""
-        hook = self.hook
-        if not hook.begun:
-            hook.magic_ring(count)
-            return
-        ahead = hook.ahead if 0 < hook.ahead <= MOST * count <= MOST * MOST * hook.ahead else hook.now.count
-        if not ahead or not ahead <= MOST * count <= MOST * MOST * ahead:
-            raise hook.fail(
-                f"{count} stitches do not go over the {ahead} of the round below", "say how they are worked"
-            )
-        fewer, more = sorted((ahead, count))
-        kind = "inc" if count > ahead else "dec"
-        for k in range(fewer):
-            size = (k + 1) * more // fewer - k * more // fewer
-            name = "sc" if size == 1 else kind if size == 2 else f"{kind}{size}"
-            hook.stitch(STITCHES[name], 1)
 
     def _label(self, name: str) -> str:
         """The label as the hook knows it: inside a part made several times, each copy has its own."""
@@ -459,13 +404,6 @@ class _Worker:
             self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
         else:
             self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
-
-
-def _around_last(items: tuple[Item, ...]) -> tuple[Item, ...]:
-    """What goes around at the end of a round, none where it ends otherwise."""
-    rest = [i for i in items if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "bl")]
-    last = rest[-1] if rest else None
-    return last.items if isinstance(last, Group) and last.times is None and not last.leaves else ()
 
 
 def _names(items: tuple[Item, ...]) -> Iterator[str]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
 from tambour.crochet.graph.moment import Moment, Round, Stretches
-from tambour.crochet.graph.plainly import TOO_LOW, plainly
+from tambour.crochet.graph.plainly import TOO_LOW, plainly, strip
 from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 LIFT = 5
@@ -68,6 +68,7 @@ class Hook:
         self.span = Span(0, 0)
         self.trailing = False  # the last round has just been worked whole, in the line under way
         self.first = 0
+        self.piece = (0, 0)  # the first node and the first face of the part
         self._picots = 0  # chains of picots, which are no stitches of the round
         self._number = 0
         self.written = 0  # the number of the line under way, 0 for none
@@ -89,6 +90,7 @@ class Hook:
         self.begun = False
         self.now = Moment(stretch=self.stretches.begin())
         self.first, self._picots, self._number, self._chained = len(self), 0, 0, None
+        self.piece = len(self), len(self.faces)
         self.written, self._beside = 0, False
 
     def begin_line(self) -> None:
@@ -245,15 +247,10 @@ class Hook:
                         if now.starting:
                             self.rise(c, path)
                         pulled = []
-                        a = path[0]
-                        for b in path[1:]:
-                            if a != b:
-                                faces.append((b, a, c) if forward else (a, b, c))
-                                stretches.append(stretch)
-                            a = b
+                        strip(faces, stretches, stretch, forward, path, c)
                         front.append(c)
                         now.count += 1
-                        path = [c, a]
+                        path = [c, path[-1]]
                     else:
                         self.node(look, [], path[0] if path else -1, -1)
                         if now.starting:

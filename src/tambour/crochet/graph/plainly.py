@@ -40,15 +40,22 @@ def plainly(hook: Hook, look: int, times: int) -> None:
         ends.append(len(anchors))
         if now.starting:
             hook.rise(node, path)
-        a = path[0]
-        for b in path[1:]:
-            if a != b:
-                faces.append((b, a, node) if forward else (a, b, node))
-                stretches.append(stretch)
-            a = b
+        strip(faces, stretches, stretch, forward, path, node)
         front.append(node)
         now.left -= 1
         hook.ahead -= 1
         now.spine = [anchor, node]
         if now.left <= 0:
             hook.round_done()
+
+
+def strip(
+    faces: list[tuple[int, int, int]], stretches: list[int], stretch: int, forward: bool, path: list[int], node: int
+) -> None:
+    """The triangles between ``path``, a stretch of the edge, and the stitch ``node`` worked on it, of ``stretch``."""
+    a = path[0]
+    for b in path[1:]:
+        if a != b:
+            faces.append((b, a, node) if forward else (a, b, node))
+            stretches.append(stretch)
+        a = b

@@ -9,7 +9,7 @@ from typing import Any, Final, Literal
 from tambour.core.errors import Span, did_you_mean
 from tambour.core.rgb import colored, css_colors
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import RULES, Stitch, into_one, standard
+from tambour.crochet.language.stitches import EDGES, RULES, Stitch, into_one, standard
 from tambour.crochet.language.tree import Action, Group, Item
 
 _COPY = re.compile(r"^(.*)\.(\d+)$")
@@ -250,6 +250,15 @@ def _numbers(source: Source, name: str, values: list[tuple[str, Span]], labels: 
             source.error(f'"{value}" is no number of stitches', f"write {RULES[name].usage}", at)
             return None
         return (int(value), len(values) - 1) if name == "mr" else (int(value),)
+    if name == "edge":
+        (which, at), *more = values
+        if which.lower() not in EDGES:
+            source.error(f'"{which}" is no edge', f"write {RULES[name].usage}", at)
+            return None
+        if more and (not more[0][0].isdigit() or int(more[0][0]) == 0):
+            source.error(f'"{more[0][0]}" is no number of stitches', f"write {RULES[name].usage}", more[0][1])
+            return None
+        return (int(more[0][0]) if more else 0, EDGES.index(which.lower()))
     if name in ("oval", "fsc"):
         for value, at in values:
             if not value.isdigit() or int(value) < (1 if name == "fsc" else 2):

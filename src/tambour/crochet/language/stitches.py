@@ -299,8 +299,13 @@ RULES: Final[dict[str, Rule]] = {
     "fsc": Rule(1, 1, usage="fsc(12)"),
     "fold": Rule(0, 1, labels=1, outside=False, usage="fold or fold(name)"),
     "join": Rule(0, 0, usage="join"),
+    "edge": Rule(1, 2, usage="edge(side), edge(side, 14), edge(base), edge(far), edge(sides) or edge(all)"),
     "gap": Rule(1, 1, outside=False, usage="gap(18): a round that is not known, of which 18 stitches remain"),
 }
+
+EDGES: Final = ("all", "side", "base", "far", "sides")
+"""What of the edge of a piece may be gone on along, as it is walked from the hook: all of it; the ends of rows down to the chain; the
+other side of the chain; the ends of rows up from there; both sides, from the chain up to the hook and down again."""
 
 # The spelling of actions in a pattern that is written back.
 SPELT: Final = {"mr": "MR", "flo": "FLO", "blo": "BLO", "bl": "BL", "fo": "FO"}

@@ -13,7 +13,7 @@ from tambour.core.rgb import hexed
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot, Tie
-from tambour.crochet.language.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch
+from tambour.crochet.language.stitches import EDGES, RULES, SPELT, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
@@ -134,6 +134,9 @@ def _said(done: Done) -> str:
         return name if done.times == 1 else f"{done.times} {name}"
     if done.what == "mr":
         return f"MR({done.numbers[0]})"
+    if done.what == "edge":
+        places, which = done.numbers
+        return f"edge({EDGES[which]}{f', {places}' if places else ''})"
     if done.what == "attach":
         size = done.numbers[0]
         return f"attach({done.labels[0]}{', merge' if size < 0 else f', {size}' if size else ''})"

@@ -13,7 +13,7 @@ from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair, Placed
-from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
+from tambour.crochet.language.stitches import EDGES, RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Section
 from tambour.crochet.page.plain import fills, reach
 from tambour.crochet.page.wording import PartText, Row, Words
@@ -334,6 +334,9 @@ class Writer:
             case "oval":
                 self.used["ch"] = None
                 return say("oval", count=done.numbers[0], next=done.numbers[1])
+            case "edge":
+                places, which = done.numbers
+                return say(f"edge {EDGES[which]}", count=places or None)
             case "fsc":
                 self.used["sc"] = None
                 return say("foundation", count=done.numbers[0])

@@ -42,6 +42,7 @@ LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _JOINED: Final = frozenset(("join", "slst", "first", "beginning"))
 _FREE: Final = frozenset(("unworked", "unused", "skipped", "free"))
 _CORNERS: Final = frozenset(("corner", "corners", "tip"))
+_WHICH: Final = frozenset(("top", "bottom", "upper", "lower", "left", "right"))
 _STOPS: Final = frozenset(("evenly",))
 _CLAUSE: Final = (",", ".", ";", "(", ")", "[", "]", "*", "**", "-")
 
@@ -148,7 +149,11 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         elif (
             inside
             and not placed
-            and (token.word in _CORNERS or (token.word == "end" and (end := c.look(1)) is not None and end.capital))
+            and (
+                token.word in _CORNERS
+                or _corner(c)
+                or (token.word == "end" and (end := c.look(1)) is not None and end.capital)
+            )
         ):
             placed = True  # "3 sc in corner", "1 sl st in end of Arm"
             c.at += 1
@@ -196,6 +201,12 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
     return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked)
+
+
+def _corner(c: Cursor) -> bool:
+    """Whether "top corner" stands at the cursor."""
+    word, after = c.look(), c.look(1)
+    return word is not None and word.word in _WHICH and after is not None and after.word in _CORNERS
 
 
 def _owner(c: Cursor) -> int:

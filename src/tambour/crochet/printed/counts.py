@@ -133,6 +133,7 @@ def makes(item: Item) -> bool:
             "fo",
             "mark",
             "goto",
+            "edge",
         )
     return any(map(makes, item.items))
 

@@ -8,6 +8,7 @@ from typing import Final
 from tambour.core.errors import Span, did_you_mean
 from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Group, Line
+from tambour.crochet.printed.alongside import bordered
 from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import base, based, elsewhere, frilled, is_first
@@ -125,7 +126,10 @@ class Headed(State):
         if self._along(draft, read, place):
             self._edged(draft, read, span)
             return
-        if place is not None and not is_first(read, self.source.stitches):
+        along = self._bordered(draft, head, read, place, (tokens, times, span))
+        if along is not None:
+            draft, head, read = along
+        elif place is not None and not is_first(read, self.source.stitches):
             draft, head, read = elsewhere(self, draft, head, read, place, (tokens, times, span))
         elif (
             not draft.started(self.source)
@@ -211,6 +215,15 @@ class Headed(State):
             )
             draft.sure = False
         self.passed += [Span(left[0].start, left[-1].end) for left in unread if left not in instructive]
+
+    def _bordered(
+        self, draft: Draft, head: Head, read: Body, place: Moved | None, what: tuple[list[Token], int, Span]
+    ) -> tuple[Draft, Head, Body] | None:
+        """A round that goes on along an edge of a piece, where its words say which; None where they do not."""
+        known = place is not None and (place.number or place.before or place.free)
+        if known or not (place is not None or read.sides or not draft.begun()):
+            return None
+        return bordered(self, draft, head, read, place.span.start if place is not None else what[2].start, what)
 
     def _along(self, draft: Draft, read: Body, place: Moved | None) -> bool:
         """Whether a round goes along an edge that is no round's, as many stitches as fit it, or on from such a one."""

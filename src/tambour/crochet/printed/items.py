@@ -47,7 +47,21 @@ def works(item: Item) -> bool:
     """Whether an item works stitches (chains aside)."""
     if isinstance(item, Group):
         return any(map(works, item.items))
-    return item.name not in ("ch", "color", "turn", "join", "flo", "blo", "bl", "fo", "mark", "goto", "sew", "attach")
+    return item.name not in (
+        "ch",
+        "color",
+        "turn",
+        "join",
+        "flo",
+        "blo",
+        "bl",
+        "fo",
+        "mark",
+        "goto",
+        "edge",
+        "sew",
+        "attach",
+    )
 
 
 def skips(item: Item) -> bool:

@@ -342,7 +342,7 @@ class Draft:
             (k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0
         )
         lead = items[at] if items else None
-        turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : _first_worked(items)])
+        turns = any(isinstance(i, Action) and i.name in ("turn", "edge") for i in items[at : _first_worked(items)])
         before = next(
             (line for line in reversed(self.lines) if line.again is not None or any(map(goes, line.items))), None
         )

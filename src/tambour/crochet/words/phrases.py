@@ -17,6 +17,7 @@ from typing import Any, Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB, colored, hexed
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot, Tie
+from tambour.crochet.language.stitches import EDGES
 from tambour.crochet.words.table import SENTENCES, Terms
 
 ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
@@ -39,6 +40,7 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "foundation": ("fsc", ()),
     "fold": ("fold", ()),
     "fold to": ("fold", ()),
+    **{f"edge {which}": ("edge", (k,)) for k, which in enumerate(EDGES)},
     "gap": ("gap", ()),
 }
 """Sentence → the action that it says, and the numbers that it implies."""
@@ -245,6 +247,8 @@ class Phrases:
             numbers = fields["color"]
         elif key == "oval":
             numbers = (fields["count"], fields["next"])
+        elif name == "edge":
+            numbers = (fields.get("count", 0), *numbers)
         elif "count" in fields:
             numbers = (fields["count"],)
         return name, numbers, labels

@@ -39,6 +39,11 @@ SENTENCES: Final = {
     "foundation": "count",  # single crochets that make their own chain
     "fold": "",  # through both layers of the edge, folded
     "fold to": "label",
+    "edge all": "count",  # along the edge of what was worked, as so many stitches
+    "edge side": "count",  # … down the ends of the rows
+    "edge base": "count",  # … the other side of the chain that it began with
+    "edge far": "count",  # … up the other ends of the rows
+    "edge sides": "count",  # … both sides, up to the top and down again
     "again": "first last part",  # rounds that are written elsewhere
     "gap": "count",  # a round that nobody could read, and how many stitches it has
     # Stitches worked into one place.

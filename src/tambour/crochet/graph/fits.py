@@ -1,0 +1,88 @@
+"""Fits: how often a bracket goes into what is left of a round, and so many stitches spread evenly over it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from tambour.crochet.graph.hook import Hook
+from tambour.crochet.graph.spaces import spaces_ahead
+from tambour.crochet.language.stitches import MOST, STITCHES, Stitch
+from tambour.crochet.language.tree import Action, Group, Item
+
+
+def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[int, tuple[str, str] | None]:
+    """How often ``group`` goes into what is left of the round, and what is to be doubted of it, with a hint.
+
+    HookError where it does not go in once, or takes up nothing.
+    """
+    hook.span = group.span
+    many = spaces(group.items, stitches)
+    if many:
+        times = spaces_ahead(hook) // many
+        if times == 0:
+            raise hook.fail("the round has no chain space left for this", "give a number instead")
+        return times, None
+    takes = _takes(hook, group.items, stitches)
+    if takes == 0:
+        raise hook.fail("around never ends: these stitches use up none of the round", "give a number instead")
+    ahead = max(0, hook.ahead)
+    if hook.now.folded:
+        ahead = (ahead + 1) // 2  # pairs
+    ahead = max(0, ahead - group.leaves)
+    if group.leaves and not ahead:
+        return 0, None
+    times, over = divmod(ahead, takes)
+    if times == 0:
+        raise hook.fail(f"around needs {takes} stitches, the round has {ahead} left", "give a number instead")
+    if not over:
+        return times, None
+    return times, (
+        f"{over} of the {ahead} stitches of the round are left over",
+        f"the brackets use up {takes} each time",
+    )
+
+
+def _takes(hook: Hook, items: tuple[Item, ...], stitches: Mapping[str, Stitch]) -> int:
+    total = 0
+    for item in items:
+        if isinstance(item, Group):
+            total += (item.times or 0) * _takes(hook, item.items, stitches)
+        elif item.name == "gap":
+            total += hook.ahead
+        elif item.name in stitches:
+            total += item.times * stitches[item.name].takes
+    return total
+
+
+def spaces(items: tuple[Item, ...], stitches: Mapping[str, Stitch]) -> int:
+    """How many chain spaces the items work into."""
+    total = 0
+    for item in items:
+        if isinstance(item, Group):
+            total += (item.times or 0) * spaces(item.items, stitches)
+        elif item.name in stitches and stitches[item.name].where == "sp":
+            total += item.times
+    return total
+
+
+def ends_around(items: tuple[Item, ...]) -> tuple[Item, ...]:
+    """What goes around at the end of a round, none where it ends otherwise."""
+    rest = [i for i in items if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "bl")]
+    last = rest[-1] if rest else None
+    return last.items if isinstance(last, Group) and last.times is None and not last.leaves else ()
+
+
+def spread(hook: Hook, count: int) -> None:
+    """``count`` single crochets spread evenly over what is ahead of a round that nobody could read."""
+    if not hook.begun:
+        hook.magic_ring(count)
+        return
+    ahead = hook.ahead if 0 < hook.ahead <= MOST * count <= MOST * MOST * hook.ahead else hook.now.count
+    if not ahead or not ahead <= MOST * count <= MOST * MOST * ahead:
+        raise hook.fail(f"{count} stitches do not go over the {ahead} of the round below", "say how they are worked")
+    fewer, more = sorted((ahead, count))
+    kind = "inc" if count > ahead else "dec"
+    for k in range(fewer):
+        size = (k + 1) * more // fewer - k * more // fewer
+        name = "sc" if size == 1 else kind if size == 2 else f"{kind}{size}"
+        hook.stitch(STITCHES[name], 1)
