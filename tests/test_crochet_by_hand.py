@@ -105,7 +105,10 @@ def test_a_row_along_an_edge_is_no_ring():
     )
     built = build(pattern)
     assert "ring" not in built.graph.kinds
-    assert [w.made for w in built.worked if w.part == 1 and w.line.in_round] == [12, 12]
+    assert [w.made for w in built.worked if w.part == 0 and w.line.in_round] == [10, 10, 12, 12]
+    hook, trim = built.hook, built.rounds[3]
+    into = [u for n in range(trim.first, trim.last + 1) for u in hook.anchors[hook.ends[n] : hook.ends[n + 1]]]
+    assert {hook.round[u] for u in into} == {0} and len(set(into)) == 10  # on the other side of the ten chains
 
 
 # -- loops --------------------------------------------------------------------------------------------------------------

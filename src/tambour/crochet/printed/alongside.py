@@ -59,11 +59,15 @@ def bordered(
     which = _which(words)
     if which is None or not count:
         return None
+    rows, chained = owner.last, _chained(owner)
+    whole = which == BASE
+    if which == SIDE and chained > 2 and _ratio(chained, count) < _ratio(rows, count):
+        which = BASE  # "across bottom of jumper": the edge that so many stitches fit
     lead: list[Action] = []
-    if which == BASE:
+    if whole:
         nth = _NTH.search(words)
         passed = int(nth[1]) - 1 if nth is not None else 0
-        if passed + count > _chained(owner) or "skip" in words:
+        if passed + count > chained or "skip" in words:
             return None
         lead = [Action("skip", span, passed)] if passed else []
     again = decided(p.source, tokens, p.palette, count, p.phrases, times)
@@ -79,7 +83,7 @@ def bordered(
         owner.offset = owner.last if head.numbers and head.numbers[0] <= owner.last else owner.offset
         head = replace(head, numbers=tuple(n + owner.offset for n in head.numbers))
     owner.leave(p.source)
-    again.items[:0] = [Action("edge", head.span, numbers=(0 if which == BASE else count, which)), *lead]
+    again.items[:0] = [Action("edge", head.span, numbers=(0 if whole else count, which)), *lead]
     owner.edge, owner.sure = count, True
     return owner, head, again
 
@@ -110,3 +114,8 @@ def _chained(draft: Draft) -> int:
     """How many stitches the chain has that a part in rows stands on."""
     chain = next((i for line in draft.lines for i in line.items if isinstance(i, Action) and i.name == "ch"), None)
     return 0 if chain is None else chain.times - 1
+
+
+def _ratio(one: int, other: int) -> float:
+    """How many times as large the larger of two numbers is."""
+    return max(one, other) / max(1, min(one, other))
