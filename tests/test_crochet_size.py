@@ -37,6 +37,29 @@ def test_a_ball_is_as_large_as_its_longest_round_says() -> None:
         assert size[side]["mm"] == pytest.approx(round_ / math.pi + THICK * 5.0, rel=0.03), side
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("grows", "apart"), [(6, False), (8, True), (9, False)])
+def test_a_stuffed_ball_is_a_ball(grows: int, apart: bool) -> None:
+    """Rounds that grow, as many that stand, and as many that shrink: what every maker calls a ball, with its increases one above
+    the other or ``apart``. No drum: its axes are equal, and its crown is a dome."""
+
+    def round_(n: int, word: str) -> str:
+        if apart and n % 2:
+            return f": {n // 2} sc, {word}, [{n} sc, {word}] x 5, {n - n // 2} sc"
+        return f": [{n} sc, {word}] x 6"
+
+    turns = range(1, grows - 1)
+    lines = [": MR(6)", ": 6 inc", *(round_(n, "inc") for n in turns), *[f": {6 * grows} sc"] * grows]
+    lines += [*(round_(n, "dec") for n in reversed(turns)), ": 6 dec", "FO"]
+    x = make(Text("\n".join(lines)), CrochetParams(), Progress()).positions
+    sides = np.ptp(x, axis=0)
+    assert sides.max() < 1.025 * sides.min()
+    off = x - x.mean(0)
+    half, out = 0.5 * sides.mean(), np.hypot(off[:, 0], off[:, 2])
+    assert off[:, 1].max() > 0.95 * half, "no flat crown"
+    assert off[(out < 0.5 * half) & (off[:, 1] > 0.0), 1].min() > 0.8 * half, "nor one like a cone"
+
+
 @pytest.mark.parametrize("swatch", ["20x20", "20x21", "16x17"])
 def test_a_disc_laid_flat_is_as_wide_as_its_rim_says(swatch: str) -> None:
     size = facts(toy("disc", swatch))["size"]

@@ -93,7 +93,8 @@ def test_fibre_leaves_a_hollow_that_air_would_pull_out() -> None:
     assert dome.shape.settled and cup.shape.settled
     up, back = high(dome), high(cup)
     assert up[-1] - up[14] > 3.0 and back[14] - back[20] > 0.8
-    assert up[14] == pytest.approx(back[14], abs=0.6), "what is about the hollow stays as it is"
+    assert up[14] - up[8] == pytest.approx(back[14] - back[8], abs=0.3), "what is about the hollow stays as it is"
+    assert back[8] < up[8] < back[8] + 1.0, "fibre that lies loose presses no end as round as a ball's"
     rings = make(Text(bowl("@hollow = 16-23")), CrochetParams(solver="none"), Progress()).shape.volume[0]
     assert cup.shape.volume[0] == pytest.approx(rings, rel=0.05)
     assert dome.shape.volume[0] > 1.4 * rings

@@ -15,7 +15,7 @@ from tambour.core.packed import Packed
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.graph.sided import sided
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
-from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, volumes
+from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, pressed, volumes
 from tambour.crochet.settle.snug import snug
 from tambour.geometry.motion import fit, turned
 
@@ -276,7 +276,8 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         for nodes in parts(graph):
             if filled[nodes].any():
                 yield from settle(nodes, roughly=True)
-        task = replace(task, graph=snug(graph, x, task.width / task.params.link_distance))
+        now = pressed(task.body(graph, task.used), volume)
+        task = replace(task, graph=snug(graph, x, task.width / task.params.link_distance, now))
         graph = task.graph
     for nodes in parts(graph):
         yield from settle(nodes)

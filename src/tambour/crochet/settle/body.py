@@ -125,6 +125,14 @@ def volumes(body: Body, x: Array) -> Array:
     return made
 
 
+def pressed(body: Body, volume: Array) -> Array:
+    """The pressure in every part (P,) that holds ``volume`` (P,), in springs' stretch per area of a stitch."""
+    from tambour.crochet.settle.stuffing import LOFT
+
+    loose = np.clip((body.most - volume) / (LOFT * np.where(np.isfinite(body.most), body.most, 1.0)), 0.0, 1.0)
+    return body.pressure / np.maximum(volume, body.least) * np.where(np.isfinite(body.most), loose, 1.0)
+
+
 def displacement(body: Body, state: State, move_centroids: bool = True, held: Array | None = None) -> Array:
     """D (N, 3): the sum of all forces on every node, less that on its root. Moves the centroids of ``state``.
 
