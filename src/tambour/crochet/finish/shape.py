@@ -15,8 +15,9 @@ from tambour.core.packed import Packed
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.graph.sided import sided
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
-from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, pressed, volumes
-from tambour.crochet.settle.snug import snug
+from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, volumes
+from tambour.crochet.settle.laid import Sheets, braced, flattened, laid
+from tambour.crochet.settle.snug import pressed, snug
 from tambour.geometry.motion import fit, turned
 
 if TYPE_CHECKING:
@@ -226,6 +227,10 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
 
     graph = task.graph
     first = np.concatenate([[0], np.cumsum(task.used)])
+    sheets = Sheets()
+    if task.snug:
+        graph, sheets = laid(graph, lambda piece: task.body(piece, np.zeros(1, np.int64)))
+        task, x = replace(task, graph=graph), flattened(graph, x, sheets) if task.start == "rounds" else x
     x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     begun = x.copy()
     volume = np.zeros(len(graph.parts))
@@ -244,7 +249,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         key = digest([joined is None, *shape, [p.stuffing for p in piece.parts], np.round(moved, GRAIN)])
         if key not in known:
             state = State(x[nodes], c[mine], np.zeros(len(own)))
-            body = task.body(piece, task.used[own])
+            body = braced(task.body(piece, task.used[own]), nodes, sheets)
             if joined is not None:
                 body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
             fabric = digest([body.edges, body.threads, body.cubic])

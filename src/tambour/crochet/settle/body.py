@@ -45,6 +45,7 @@ class Body:
     folds : whether the fabric answers the push of a single loop, as a hinge does (the seed's steps push one-sidedly)
     threads (K, 2), thread_most (K,) : pulled through the stuffing, from stitch to stitch, and how long they are
     lying (K, 4) : stitches of placed parts' seams and triangles that they lie on
+    hinges (H, 4), weights (H, 4), plane : what keeps sheets flat (:mod:`tambour.crochet.settle.laid`), and how strongly
     offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
     centroid : f, cap, b, c; first (P + 1,) each part's centroids
     radius (S,), section_offsets, members, section_neighbours : the skeleton, see bones; bone (P + 1,) each part's sections
@@ -87,6 +88,9 @@ class Body:
     thread_most: Array
     lying: Array
     folds: bool
+    hinges: Array = field(default_factory=lambda: np.zeros((0, 4), np.int32))
+    weights: Array = field(default_factory=lambda: np.zeros((0, 4)))
+    plane: float = 0.0
 
     def __len__(self) -> int:
         return len(self.part)
@@ -125,14 +129,6 @@ def volumes(body: Body, x: Array) -> Array:
     return made
 
 
-def pressed(body: Body, volume: Array) -> Array:
-    """The pressure in every part (P,) that holds ``volume`` (P,), in springs' stretch per area of a stitch."""
-    from tambour.crochet.settle.stuffing import LOFT
-
-    loose = np.clip((body.most - volume) / (LOFT * np.where(np.isfinite(body.most), body.most, 1.0)), 0.0, 1.0)
-    return body.pressure / np.maximum(volume, body.least) * np.where(np.isfinite(body.most), loose, 1.0)
-
-
 def displacement(body: Body, state: State, move_centroids: bool = True, held: Array | None = None) -> Array:
     """D (N, 3): the sum of all forces on every node, less that on its root. Moves the centroids of ``state``.
 
@@ -147,6 +143,8 @@ def displacement(body: Body, state: State, move_centroids: bool = True, held: Ar
         forces.thread(x, body.threads, body.thread_most, D)
     if len(body.triples):
         forces.bend(x, body.triples, body.bending, D)
+    if len(body.hinges):
+        forces.flat(x, body.hinges, body.weights, body.plane, D)
     if body.stuffing == "pressure":
         lids = (body.lid_offsets, body.lid_nodes)
         stuffing.pressure(x, body.faces, body.face_part, *lids, body.pressure, body.least, body.most, state.volume, D)

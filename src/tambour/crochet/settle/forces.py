@@ -128,6 +128,19 @@ def bend(x: F8x2, triples: I4x2, stiffness: F8x1, D: F8x2) -> None:
             D[c, q] -= f
 
 
+@kernel
+def flat(x: F8x2, hinges: I4x2, weights: F8x2, stiffness: float, D: F8x2) -> None:
+    """Keep four points in one plane: energy ½ s |Σ w x|², with hinges (H, 4) and weights (H, 4) whose sum is nothing, as is
+    that of the points where they lie flat: in the plane itself nothing is pulled (Bergou et al. 2006)."""
+    for h in range(len(hinges)):
+        for q in range(3):
+            off = 0.0
+            for k in range(4):
+                off += weights[h, k] * x[hinges[h, k], q]
+            for k in range(4):
+                D[hinges[h, k], q] -= stiffness * weights[h, k] * off
+
+
 def lengths(x: Array, edges: Array) -> Array:
     """The length of every edge (E,)."""
     return np.sqrt(((x[edges[:, 0]] - x[edges[:, 1]]) ** 2).sum(1))

@@ -8,6 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import BLO, FLO, JOIN, ROOT, THROUGH, TIP, YARN, StitchGraph
+from tambour.crochet.settle.body import Body
 
 STRETCH = 0.02
 """How much longer and wider than in a gauge swatch a stitch is that medium stuffing presses: 1 % light, 5 % firm."""
@@ -24,6 +25,17 @@ NEARLY = 0.06
 def stretch(amount: float) -> float:
     """The share by which stuffing of this amount (1: medium) stretches the fabric."""
     return STRETCH * amount
+
+
+def pressed(body: Body, volume: Array) -> Array:
+    """The pressure in every part (P,) that holds ``volume`` (P,), in springs' stretch per area of a stitch: as
+    :func:`tambour.crochet.settle.stuffing.pressure` has it."""
+    from tambour.crochet.settle.stuffing import LOFT
+
+    held = np.isfinite(body.most)
+    most = np.where(held, body.most, 1.0)
+    loose = np.where(held, np.clip((most - volume) / (LOFT * np.maximum(most, 1e-9)), 0.0, 1.0), 1.0)
+    return np.asarray(loose * body.pressure / np.maximum(np.maximum(volume, body.least), 1e-9))
 
 
 def snug(graph: StitchGraph, x: Array, width: float, pressed: Array) -> StitchGraph:
