@@ -33,7 +33,7 @@ _ALL: Final = re.compile(
 )
 _STITCHES: Final = re.compile(r"\b(?:sc|hdc|dc|sl st|ch \d+|inc|dec|magic|marker|hook|seam)\b")
 _TO: Final = re.compile(
-    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down)\b"
+    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down|(?:either|each) side|both sides)\b"
 )
 _ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
 """Where "on" may belong to the verb: "sew on the snout"."""

@@ -9,7 +9,7 @@ from typing import Final
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
+    r"set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )
 """Words that put something somewhere."""
 

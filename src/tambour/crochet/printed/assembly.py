@@ -14,6 +14,7 @@ from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
 from tambour.crochet.places.hear import Sentence
 from tambour.crochet.places.said import size
+from tambour.crochet.places.terse import verb_of
 from tambour.crochet.places.toy import Assembled, faced, toys
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor
@@ -82,6 +83,7 @@ def assembled(
     if not said and (not usual or len(built.pattern.parts) < 2):
         return None
     sentences = []
+    names = [part.name for part in built.pattern.parts]
     for one in said:
         span = one.span
         words = built.pattern.text.text[span.start : span.end]
@@ -90,14 +92,19 @@ def assembled(
         held = _POSE.match(built.pattern.text.text, span.end)
         if held is not None and exact is None:
             words = " ".join((words, _BACK.sub("backwards", held["how"])))
-        sentences.append(Sentence(words, span, part, shades(one.tokens, palette, span.start), exact))
+        hues = shades(one.tokens, palette, span.start)
+        if exact is None and (left_out := verb_of(words, names)) is not None:
+            at, verb = left_out
+            words = words[:at] + verb + words[at:]
+            hues = tuple((place + len(verb) * (place >= at), hue) for place, hue in hues)
+        sentences.append(Sentence(words, span, part, hues, exact))
     made = Assembled()
     groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
     own = {name: k for k, names in enumerate(groups) for name in names}
     said = [_standing(one, built.pattern) for one in said]
-    for k, names in enumerate(groups):
+    for k, own_names in enumerate(groups):
         mine = [heard for one, heard in zip(said, sentences) if own.get(_subject(one, heard), k) == k]
-        found = _assembly(built, mine, names).assemble(usual)
+        found = _assembly(built, mine, own_names).assemble(usual)
         made.finish += found.finish
         made.ups |= found.ups
         for whole, more in (

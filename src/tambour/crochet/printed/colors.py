@@ -58,9 +58,11 @@ class Palette:
 
     def first(self, words: str) -> RGB | None:
         """The first yarn that a heading asks for: "Make 1 with B and 1 with C", "Head (cream)", "Ears (blue yarn, make 2)",
-        "Fins, make 2, in blue"."""
+        "Fins, make 2, in blue", "HEAD – Caramel, 3.5 mm hook"."""
         lettered = next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
-        found = sorted((m for said in (_BESIDE, _OF_YARN) for m in said.finditer(words)), key=lambda m: m.start())
+        found = sorted(
+            (m for said in (_BESIDE, _OF_YARN, _DASHED) for m in said.finditer(words)), key=lambda m: m.start()
+        )
         named = (self.name(" ".join(m[1].lower().split())) for m in found)
         return lettered or next((hue for hue in named if hue is not None), None)
 
@@ -111,6 +113,9 @@ _BESIDE: Final = re.compile(
 )
 _OF_YARN: Final = re.compile(
     r"(?:\bwith|,[ \t]*in|\d[ \t]*,?[ \t]*in|\b[Mm]ake[ \t]+\w+[ \t]*,)[ \t]+([A-Za-z]{3,}(?:[ -](?:blue|green|brown|pink|gr[ae]y|red))?)\b"
+)
+_DASHED: Final = re.compile(
+    r"[ \t][–—-][ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[,;\n]|$))"
 )
 _NUMBERED: Final = re.compile(r"(?:^|[,:;]|\b(?:and|using|with))\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 

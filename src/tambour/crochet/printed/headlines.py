@@ -6,9 +6,12 @@ import re
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.core.rgb import RGB
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.notes import MODES, Heading, heading, plain_name
+from tambour.crochet.printed.shades import shade
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.yarns import class_of, hook_of
@@ -93,23 +96,74 @@ def small(p: State, row: Row, line: str) -> Heading | None:
     return Heading(plain_name(line), Span(row.tokens[0].start, row.tokens[-1].end), 1, None, True, False)
 
 
-def colorless(p: State, tokens: list[Token]) -> list[Token]:
-    """A heading without the colour that it says in brackets: "Head (cream)", "Ears (blue yarn, make 2)"."""
-    for k, token in enumerate(tokens[:-2]):
-        found = p.palette.color(Cursor(tokens, k + 1)) if token.word in ("(", "[") else None
-        end = k + 1 + (found[1] if found is not None else 0)
-        while (
-            found is not None and end < len(tokens) and (tokens[end].value == "yarn" or tokens[end].word in (",", ";"))
+def bare(p: State, tokens: list[Token]) -> list[Token]:
+    """A heading without what it says of yarn and hook behind its name: "Head (cream)", "Ears (blue yarn, make 2)", "HEAD – Caramel,
+    3.5 mm hook", "ARMS – make 2 – start with Caramel"."""
+    made, at = list(tokens), 1
+    while at < len(made):
+        end = _aside(p, made, at + 1) if made[at].word in _PARTED else 0
+        opened = made[at].word in ("(", "[")
+        closed = end < len(made) and made[end].word in (")", "]")
+        if not end or not (end == len(made) or made[end].word in _PARTED or closed or made[end].value == "make"):
+            at += 1
+            continue
+        whole = opened and closed
+        between = opened and end < len(made) and made[end].word in (",", ";")
+        made = made[: at + (opened and not whole)] + made[end + (whole or between) :]
+    return made
+
+
+def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
+    """The yarn that words name which say nothing else, where a piece is under way or headed: "BLACK", "dark green", "Color A", "in white";
+    None where they say more, or may name a piece."""
+    if p.mode in ("materials", "abbreviations") or not (p.parts or p.heading is not None):
+        return None
+    some = [t for t in tokens if not (t.kind == "key" and t.value in _OF_YARN) and t.word not in (".", ":", ",")]
+    if not some or len(some) > _SHADE:
+        return None
+    asked = len(some) < len([t for t in tokens if t.kind != "mark"])
+    found = p.palette.color(Cursor(some))
+    if found is None and asked:
+        hue = shade(" ".join(t.word for t in some))
+        found = (hue, len(some)) if hue is not None else p.palette.letter(Cursor(some), 0) if len(some) == 1 else None
+    if found is None or found[1] != len(some):
+        return None
+    return found[0] if asked or p.heading is not None or not some[0].capital or _goes_on(p) else None
+
+
+def _goes_on(p: State) -> bool:
+    """Whether the next line begins a round that is not the first of a piece."""
+    after = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
+    found = heads(p.vocabulary.read(after.tokens)) if after is not None else []
+    return bool(found) and found[0][1].numbers[:1] > (1,)
+
+
+_SHADE: Final = 3  # words that name a yarn
+_PARTED: Final = frozenset(("(", "[", "-", ",", ";", ":", "|", "/"))
+_OF_YARN: Final = frozenset(("with", "in", "begin", "color", "yarn", "join", "work", "and"))
+
+
+def _aside(p: State, tokens: list[Token], at: int) -> int:
+    """Where words from ``at`` end that only name yarns or a hook; 0 where they say anything else."""
+    c, begin, named, told = Cursor(tokens, at), at, False, len(p.palette.told)
+    while at < len(tokens):
+        hue = p.palette.color(c, at) or (
+            p.palette.letter(c, at) if tokens[at].word.isalpha() and named is False and at > begin else None
+        )
+        sized = tokens[at].kind == "number" and at + 1 < len(tokens) and tokens[at + 1].word == "mm"
+        if hue is not None:
+            at, named = at + hue[1], True
+        elif sized:
+            at, named = at + 2 + (at + 2 < len(tokens) and tokens[at + 2].value == "hook"), True
+        elif (tokens[at].kind == "key" and tokens[at].value in _OF_YARN) or (
+            named and tokens[at].word in ("then", "&", "+")
         ):
-            end += 1
-        if (
-            found is not None
-            and end < len(tokens)
-            and (tokens[end].word in (")", "]", "x") or tokens[end].value == "make")
-        ):
-            whole = tokens[end].word in (")", "]")
-            return tokens[: k + 1 - whole] + tokens[end + whole :]
-    return tokens
+            at += 1
+        else:
+            break
+    ends = named and (at == len(tokens) or tokens[at].word in (*_PARTED, ")", "]") or tokens[at].value == "make")
+    del p.palette.told[told:]  # a letter is told where it is worked with
+    return at if ends else 0
 
 
 def named_color(p: State, tokens: list[Token]) -> bool:

@@ -56,7 +56,7 @@ class Heading:
 
 def plain_name(words: str) -> str:
     """A part's name as tambour's own language can write it: words of plain letters, numbers joined to them."""
-    words = words.replace("&", " and ")
+    words = words.replace("&", " and ").replace("+", " and ")
     flat = unicodedata.normalize("NFKD", words.replace("ß", "ss").replace("ø", "o").replace("æ", "ae"))
     flat = "".join(c for c in flat if not unicodedata.combining(c))
     made: list[str] = []
@@ -73,7 +73,7 @@ _RANKS: Final = re.compile(r"(\d+)(?:st|nd|rd|th)\s*(?:to|through|-|–)\s*(\d+)
 
 def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     """The heading that a line is, None when it cannot be one."""
-    shown, tokens = tokens, _unseen(tokens)
+    shown, tokens = tokens, _unseen(text, tokens)
     diagram = len(tokens) < len(shown) and any(t.word == "see" for t in shown[1:])
     c = Cursor(tokens)
     name: list[Token] = []
@@ -83,7 +83,7 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
         copies, at = c.whole(1) or 1, tokens[1].span
         c.at = 2
     while (token := c.look()) is not None:
-        if token.kind == "mark" and token.word not in ("-", "/", "&", "'", '"', "#", "."):
+        if token.kind == "mark" and token.word not in ("-", "/", "&", "'", '"', "#", ".", "+"):
             break
         if token.kind == "mark" and token.word == "-" and (c.key("make", ahead=1) or c.whole(1) is not None):
             break
@@ -125,11 +125,15 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, bool(row.marked) or at is not None)
 
 
-def _unseen(tokens: list[Token]) -> list[Token]:
-    """``tokens`` without "(see diagram on page 3)"."""
-    begin = next(
-        (k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and _aside(tokens[k + 1 : k + 24])), None
-    )
+def _unseen(text: str, tokens: list[Token]) -> list[Token]:
+    """``tokens`` without "(see diagram on page 3)"; behind capitals, without any words in brackets that say no copies."""
+
+    def aside(k: int) -> bool:
+        return _aside(tokens[k + 1 : k + 24]) or (
+            k > 0 and text[tokens[0].start : tokens[k - 1].end].isupper() and _plain(tokens[k + 1 :])
+        )
+
+    begin = next((k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and aside(k)), None)
     if begin is None:
         return tokens
     end = next((k for k in range(begin, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)
@@ -153,6 +157,16 @@ def _aside(tokens: list[Token]) -> bool:
     inner = tokens[:end]
     plain = not any(t.kind in ("number", "stitch", "ordinal") for t in inner)
     return inner[:1] != [] and inner[0].value == "make" and plain and len(inner) > 2
+
+
+def _plain(tokens: list[Token]) -> bool:
+    """Whether words in a bracket that only ends a line are no copies, counts or stitches: "(one piece, from the top down)"."""
+    end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
+    said = any(t.kind in ("stitch", "ordinal") or t.word == "x" or isinstance(t.value, float) for t in tokens[:end])
+    counted = any(t.kind == "number" and t.word != "one" for t in tokens[:end]) or any(
+        t.value == "make" for t in tokens[:end]
+    )
+    return 1 < end == len(tokens) - 1 and not said and not counted
 
 
 def copies_alone(tokens: list[Token]) -> tuple[int, Span] | None:

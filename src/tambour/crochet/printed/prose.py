@@ -14,7 +14,7 @@ from tambour.crochet.printed.beyond import tallied
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.cursor import OPEN
 from tambour.crochet.printed.formed import forms
-from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color, small, trailing
+from tambour.crochet.printed.headlines import bare, below, copied, dyed_only, headed, named_color, small, trailing
 from tambour.crochet.printed.naming import over
 from tambour.crochet.printed.notes import (
     BELOW,
@@ -113,11 +113,11 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if p.heading is not None and (more := copies_alone(tokens)) is not None:
         p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
+    if (hue := dyed_only(p, tokens)) is not None:
+        p.lead.append(Line((Action("color", whole, numbers=hue),), whole, False))
+        return
     found = (
-        copied(p, row, line)
-        or heading(text, row, tokens)
-        or heading(text, row, colorless(p, tokens))
-        or small(p, row, line)
+        copied(p, row, line) or heading(text, row, bare(p, tokens)) or heading(text, row, tokens) or small(p, row, line)
     )
     lefts: list[list[Token]] = []
     shown = found is not None and found.strong and _SHOWN.search(line) is not None

@@ -9,6 +9,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.places.names import Made, kind_of, one
+from tambour.crochet.places.terse import spoken
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -48,7 +49,8 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     if _HOW.search(text):
         return False
-    if not assembling(text, [draft.name for draft in p.parts]) and not _SEWN.search(text):
+    names = [draft.name for draft in p.parts]
+    if not assembling(spoken(text, names), names) and not _SEWN.search(text):
         return False
     whole = p.source.text.text
     line = whole.rfind("\n", 0, tokens[0].start) + 1

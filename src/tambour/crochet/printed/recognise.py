@@ -36,6 +36,10 @@ def recognised(source: Source, rows: list[Row]) -> Language:
         return Language(printed.code)
     rows = [row for row in rows if row.tokens][:_LOOKED_AT]
     said = _said(rows)
+    if said is not None and said.code == "uk" and said.span is not None and _worked(rows, _US) >= _SURE:
+        told = "this says UK terms, and its rounds are worked in sc, which UK terms have none of: US terms are taken"
+        source.doubt(told, "say it in the text: @terms = uk, or @terms = us", said.span)
+        return Language("us", said.span)
     if said is not None:
         return said
     words: dict[str, int] = {}
@@ -69,6 +73,19 @@ def recognised(source: Source, rows: list[Row]) -> Language:
     return Language("us")
 
 
+def _worked(rows: list[Row], stitches: tuple[str, ...]) -> int:
+    """How often rounds, on lines that begin with a round or a number, name any of these stitches."""
+    rounds = [
+        r.tokens
+        for r in rows
+        if r.tokens[0].kind in ("number", "ordinal") or r.tokens[0].word.rstrip("0123456789") in _ROUNDS
+    ]
+    return sum(t.word in stitches for tokens in rounds for t in tokens)
+
+
+_SURE: Final = 4
+"""So often do rounds name a stitch that the terms a text says have not, before it is not believed."""
+_ROUNDS: Final = frozenset("r rd rnd rnds round rounds row rows".split())
 _DIGITS: Final = str.maketrans("", "", "0123456789")
 
 

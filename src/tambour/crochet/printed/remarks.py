@@ -16,7 +16,7 @@ _IS: Final = frozenset(
     ("is", "are", "was", "were", "will", "can", "could", "may", "might", "would", "should", "has", "have", "measures", "loves", "likes", "causes", "form", "forms", "look", "looks")
 )  # fmt: skip
 _PAGE: Final = re.compile(
-    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|\(c\)\s*\d{4}|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
+    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|^\s*\(c\)\s*\w|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
     re.IGNORECASE,
 )  # fmt: skip
 _MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))

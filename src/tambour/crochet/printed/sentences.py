@@ -30,6 +30,7 @@ from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
+from tambour.crochet.printed.headlines import dyed_only
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count, works
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
@@ -294,7 +295,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if body.left or not (body.items or body.ends):
         return False
     if body.items and all(isinstance(i, Action) and i.name == "color" for i in body.items):
-        if not any(t.kind == "key" and t.value in ("color", "with", "begin", "in", "join") for t in tokens):
+        asked = any(t.kind == "key" and t.value in ("color", "with", "begin", "in", "join") for t in tokens)
+        if not asked and dyed_only(p, tokens) is None:
             return False
         p.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
         return True

@@ -243,7 +243,11 @@ _THINGS: Final = frozenset(
 
 _LIGHTER: Final = {"light": 0.4, "lt": 0.4, "pale": 0.5, "soft": 0.35, "baby": 0.5, "pastel": 0.5}
 _DARKER: Final = {"dark": 0.35, "dk": 0.35, "deep": 0.3, "bright": 0.0, "hot": 0.0, "medium": 0.0, "med": 0.0, "country": 0.1,
-                  "warm": 0.0, "golden": 0.0, "real": 0.0, "heather": 0.0, "weathered": 0.15}  # fmt: skip
+                  "warm": 0.0, "golden": 0.0, "real": 0.0, "heather": 0.0, "weathered": 0.15, "dusky": 0.1, "vivid": 0.0, "classic": 0.0, "true": 0.0}  # fmt: skip
+
+_MUTED: Final = frozenset(("dusty", "antique", "vintage", "muted", "smoky"))
+_SAID: Final = frozenset((*_LIGHTER, *_DARKER, *_MUTED))
+"""Words before a colour that make another of it."""
 
 # "Contrast A Pewter (1401)", "Main Color (MC) Teal", "Contrast A: (01612 Country Yellow)"; "0512 Turqua A, 0672 Spring Green B"
 _NAME: Final = r"((?:[A-Z][A-Za-zé’'&]*[ -]?){1,4}?|[A-Z][a-z]+ [a-z]+)"
@@ -268,6 +272,10 @@ _ALONE: Final = re.compile(
 
 _LETTERED: Final = re.compile(r"((?:[A-Za-z][\w’'é-]*[ ]){0,3}[A-Za-z][\w’'é-]*)\s*\((MC|CC|[A-K])\)")
 """Words that may end with a colour, before its letter: "DK cotton in red (A), cream (B) and a little white (C)"."""
+_PLAIN: Final = re.compile(
+    r"\b[Cc]olou?r\s+(MC|CC|[A-K])\b[\s:=–-]*([a-z][a-z -]{2,24}?)[ \t]*(?=[(),.;\d]|$)", re.MULTILINE
+)
+"""A letter before its colour in small letters: "Color A: black"."""
 _BRACKETED: Final = re.compile(r"\b(MC|CC|[A-K])\s*\(([A-Za-z][A-Za-z -]{2,20})\)")
 
 
@@ -283,7 +291,7 @@ def _lettered(line: str) -> dict[str, str]:
             at -= 1  # "Navy Blue"
         if at is not None:
             found.setdefault(m[2].lower(), " ".join(words[at:]))
-    for m in _BRACKETED.finditer(line):
+    for m in (*_BRACKETED.finditer(line), *_PLAIN.finditer(line)):
         if shade(m[2]) is not None:
             found.setdefault(m[1].lower(), m[2].strip())
     return found
@@ -302,7 +310,7 @@ def listed(line: str) -> dict[str, str]:
     """The letters that a list of materials gives to yarns → the names of their colours; "" for a yarn without a letter."""
     found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
     found = {**{m[2].lower(): m[1].strip() for pattern in (_AS, _ENDED) for m in pattern.finditer(line)}, **found}
-    found = {**_lettered(line), **found} if ")" in line else found
+    found = {**_lettered(line), **found} if ")" in line or "olo" in line else found
     alone = _ALONE.search(line)
     if not found and alone is None and (first := _first(line)) is not None:
         return {"": first}
@@ -359,14 +367,18 @@ def shade(name: str) -> RGB | None:
     whole = " ".join(words)
     if whole in YARNS:
         return YARNS[whole]
-    mixed = len(words) > 1 and words[0] in {**_LIGHTER, **_DARKER} and shade(" ".join(words[1:])) is not None
+    mixed = len(words) > 1 and words[0] in _SAID and shade(" ".join(words[1:])) is not None
     if not mixed and whole.replace(" ", "") in css_colors():
         return css_colors()[whole.replace(" ", "")]
-    if len(words) < 2 or words[0] not in {**_LIGHTER, **_DARKER}:
+    if len(words) < 2 or words[0] not in _SAID:
         return None
     base = shade(" ".join(words[1:]))
     if base is None:
         return None
+    if words[0] in _MUTED:
+        gray = sum(base) / 3
+        red, green, blue = (round(0.65 * c + 0.35 * gray) for c in base)
+        return red, green, blue
     white, black = _LIGHTER.get(words[0], 0.0), _DARKER.get(words[0], 0.0)
     red, green, blue = (round((c + (255 - c) * white) * (1 - black)) for c in base)
     return red, green, blue

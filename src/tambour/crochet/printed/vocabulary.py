@@ -54,6 +54,7 @@ class Vocabulary:
         self._read: dict[int, tuple[list[Token], list[Token]]] = {}
         table = TERMS[code]
         heard = table.heard
+        self.labels = frozenset(heard.labels)
         for key, said in heard.words.items():
             self._add(said, "key", key)
         for n, word in enumerate(heard.ordinals, 1):

@@ -86,6 +86,7 @@ class Heard:
     words : concept → spellings; stitches : standard name → spellings
     kinds : the same, of stitches whose ``increases`` and ``decreases`` the reader makes by itself
     fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
+    labels : words that number parts of a pattern: "Part 3: Pot"
     """
 
     words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -94,6 +95,7 @@ class Heard:
     increases: tuple[str, ...] = ()
     decreases: tuple[str, ...] = ()
     fillers: tuple[str, ...] = ()
+    labels: tuple[str, ...] = ()
     ordinals: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
 

@@ -1,0 +1,42 @@
+"""Terse: lists of the assembly that leave their verb out: "Arms: either side at Round 18", "Mouth: black, a little V below the eyes"."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.crochet.places import face
+from tambour.crochet.places.names import Made, kind_of, one
+from tambour.crochet.places.said import VERB
+
+_LED: Final = re.compile(r"^\W*(?P<name>(?:[^\W\d_]+[ &+/-]*){1,4}?)\s*(?P<mark>[:–—]|\s-)(?=\s+\S)")
+_AT: Final = re.compile(
+    r"^\s*(?:on|at|to|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b"
+)
+_EYES: Final = re.compile(r"^\W*(?:the\s+)?(?:safety\s+)?eyes?\s+(?=(?:on|at|between|in|over)\b)", re.IGNORECASE)
+
+
+def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
+    """Where a verb is left out of a sentence, and which: sewn on what names a part, embroidered what names a motif of a face; None where
+    none is wanted. names : of the parts that are known."""
+    low = text.lower()
+    if (eyes := _EYES.match(low)) is not None and not VERB.search(low):
+        return eyes.end() - 1, " placed"
+    led = _LED.match(low)
+    if led is None or VERB.search(low):
+        return None
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", led["name"])]
+    known = {w for name in names for w in Made(name, 1).words}
+    at = led.end("mark")
+    if face.motifs(led["name"]) or words == ["face"]:
+        return at, " embroider"
+    if words[-1] == "eye":
+        return (at, " place") if _AT.match(low[at:]) else None
+    part = any(w in known or kind_of(w) for w in words)
+    return (at, " sew") if part and _AT.match(low[at:]) else None
+
+
+def spoken(text: str, names: list[str]) -> str:
+    """The sentence with its verb."""
+    found = verb_of(text, names)
+    return text if found is None else text[: found[0]] + found[1] + text[found[0] :]

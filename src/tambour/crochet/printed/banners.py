@@ -1,0 +1,71 @@
+"""Printed patterns, banners: headings as designers set them: ``*FRONT*``, ``>> WINGS (make 2) <<``, ``~ Body ~``, ``Part 3: Pot``."""
+
+from __future__ import annotations
+
+import unicodedata
+from dataclasses import replace
+from typing import Final
+
+from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.vocabulary import Vocabulary
+
+_FRAMES: Final = frozenset("*~-=<>_·•+#|/\\♥♡☆★^°:")
+_WORDS: Final = 6  # of a name
+_ASIDE: Final = 8  # tokens behind a framed name: "*ARMS* (make 2)"
+_CLOSED: Final = frozenset((".", ",", ";", "!", "?"))
+
+
+def banners(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
+    """``rows`` with what frames or numbers a part's name taken off, and such a line marked as a heading."""
+    return [_unframed(text, row, vocabulary) if row.tokens else row for row in rows]
+
+
+def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
+    tokens, framed = row.tokens, False
+    begin = next((k for k, t in enumerate(tokens) if not _frame(t)), len(tokens))
+    end = len(tokens)
+    while end > begin and _frame(tokens[end - 1]):
+        end -= 1
+    led = begin > 0 or any(c in _FRAMES for c in text[row.start : tokens[0].start])
+    if begin and tokens[0].word == "*" and end == len(tokens):  # "*ARMS* 2x"
+        close = next((k for k in range(begin, end) if tokens[k].word == "*"), end)
+        behind = tokens[close + 1 :]
+        copied = close < end and len(behind) <= _ASIDE and not any(t.word == "*" or t.word in _CLOSED for t in behind)
+        if copied and _title(text, tokens[begin:close], vocabulary):
+            return Row([*tokens[begin:close], *behind], row.start, row.end, max(row.marked, 1))
+    elif led and end < len(tokens) and _title(text, tokens[begin:end], vocabulary):
+        tokens, framed = tokens[begin:end], True
+    at = _label(tokens, vocabulary)
+    if at and _title(text, tokens[at:], vocabulary):
+        tokens, framed = tokens[at:], True
+    return replace(row, tokens=tokens, marked=max(row.marked, 1)) if framed else row
+
+
+def _frame(token: Token) -> bool:
+    return token.kind == "mark" and (
+        all(c in _FRAMES for c in token.word) or unicodedata.category(token.word[0]) in ("So", "Sm")
+    )
+
+
+def _label(tokens: list[Token], vocabulary: Vocabulary) -> int:
+    """Where the name behind "Part 3:", "Piece B -" stands; 0 where none does."""
+    if len(tokens) < 4 or tokens[0].word not in vocabulary.labels or tokens[2].word not in (":", "-", ".", ")"):
+        return 0
+    numbered = tokens[1].kind == "number" or (tokens[1].kind == "word" and len(tokens[1].word) <= 2)
+    return 3 if numbered else 0
+
+
+def _title(text: str, tokens: list[Token], vocabulary: Vocabulary) -> bool:
+    """Whether words can be a heading: a few, the first with a capital, that name no stitch, round or list outside brackets."""
+    bracket = next((k for k, t in enumerate(tokens) if t.word in ("(", "[", "-", ",") and k), len(tokens))
+    name = tokens[:bracket]
+    words = [t for t in name if t.kind != "mark"]
+    if not words or len(words) > _WORDS or not text[words[0].start].isupper() or words[0].kind != "word":
+        return False
+    if any(t.word in _CLOSED or t.word in ("*", ":") for t in name):
+        return False
+    read = vocabulary.read(list(name))
+    return not any(
+        t.kind == "stitch" or (t.kind == "key" and t.value in ("round", "row", "repeat", "ring", "times", "stitch"))
+        for t in read
+    )
