@@ -305,7 +305,7 @@ def test_what_names_no_colour_is_in_the_first_of_a_yarn_s_colours() -> None:
     ],
 )
 def test_an_opening_pressed_flat_is_closed_through_both_its_sides(words: str) -> None:
-    assert made(whole(f"{BODY}{words} Fasten off.\n")) == {"BODY": [6, 12, 0]}  # the edge is used up
+    assert made(whole(f"{BODY}{words} Fasten off.\n")) == {"BODY": [6, 12, 6]}  # six through both sides of twelve
 
 
 @pytest.mark.parametrize("words", ["sc in all 8 ch (8)", "sc in each ch across (8)", "sc 8 (8)"])
