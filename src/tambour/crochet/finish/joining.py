@@ -16,6 +16,7 @@ from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.capped import drawn_over, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
+from tambour.crochet.finish.hanging import hung
 from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.built import Built
@@ -202,6 +203,8 @@ def clashes(joining: Joining) -> list[tuple[Placed, Placed]]:
     found: list[tuple[Placed, Placed]] = []
     known: list[tuple[Placed, bool, Array, Array]] = []
     for f, end in steps:
+        if f.around:
+            continue
         frame = frames(spots, spots.layout, [f.spot])
         span = spots.built.graph.parts[spots.parts[f.part]]
         points = sewing.outline(spots.layout, np.arange(span.start, span.end), f, end, frame)
@@ -273,6 +276,15 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
     for f, end in joining.steps:
         part, other = spots.parts[f.part], spots.parts[f.spot.part]
         own = bodies[body[part]]
+        if f.around:
+            ring = spots.stitches(_round_of(spots, f))
+            x[own], pairs = hung(x, own, end, ring, bodies[body[other]], upright[other])
+            seams.append(pairs)
+            held.append((int(own[0]), int(ring[0])))
+            group[body[other]].extend(group[body[part]])
+            for b in group[body[other]]:
+                group[b] = group[body[other]]
+            continue
         frame = frame_of(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
         straight = sewing.brought(x, own, how, *sewing.ways(f, end, frame, False), frame.points[0])
@@ -312,6 +324,13 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.concatenate([np.zeros(0), *rest]),
         np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams[: len(joining.steps)])]),
     )
+
+
+def _round_of(spots: Spots, placed: Placed) -> int:
+    """The round that ``placed`` hangs from."""
+    k = spots.round_at(spots.parts[placed.spot.part], int(placed.spot.round))
+    assert k is not None, "prepare has told of it"
+    return k
 
 
 def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:

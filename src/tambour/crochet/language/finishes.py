@@ -36,7 +36,8 @@ class Placed:
     tilt : how far it leans from straight out, degrees; towards: where to, degrees counter-clockwise from up, from outside
         (up is that of the toy as it stands; on a part that leans it leans with the part)
     by : the round of the part that is sewn, None for its last
-    through : it is not sewn, but held to the work while that round is worked, and so many stitches of it go through both
+    through : it is not sewn, but held to the work while that round is worked, and so many stitches of it go through both; with no
+        stitch in its spot, it is worked on all of that round's stitches itself, as a skirt is, and hangs
     """
 
     part: str
@@ -48,6 +49,11 @@ class Placed:
     by: float | None = None
     through: int = 0
     span: Span = field(default=Span(0, 0), compare=False)
+
+    @property
+    def around(self) -> bool:
+        """Whether it is worked on a whole round, and hangs from it."""
+        return self.through > 0 and self.spot.stitch is None
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from tambour.core.errors import Span
 from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, spots_of
+from tambour.crochet.language.finishes import Eye, Placed, spots_of
 from tambour.crochet.page.assembly import DOTS
 from tambour.crochet.page.begin import heading
 from tambour.crochet.page.book import Book, cropped
@@ -180,6 +180,7 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
                 and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn|\bsl(?:ip)? ?st|\bjoin", whole)
             )
         ]
+        drop += [row for row in rows if not row.label and row.words == _hung_on(book, block)]
         rows = [row for row in rows if row not in drop]
     # The colour, and which way it is worked, in her words.
     dyed = next((k for k, row in enumerate(rows) if row.label or row.colors), 0)
@@ -211,6 +212,15 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
         rows.insert(at, Row("", eyes_now(book.own, book.spoken(eyes))))
     return rows
+
+
+def _hung_on(book: Book, block: PartText) -> str:
+    """What is said of a part that hangs from the loops of a round, which a designer says herself."""
+    name = book.piece.built.pattern.parts[block.section].name
+    hung = next(
+        (r for r in book.piece.built.pattern.finish if isinstance(r, Placed) and r.around and r.part == name), None
+    )
+    return "" if hung is None else f"{book.own['hung on'].format(n=f'{hung.spot.round:g}', part=hung.spot.part)}."
 
 
 def _colour_alone(book: Book, row: Row) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import cached_property
 from pathlib import PurePath
 from typing import Final
 
@@ -110,6 +111,11 @@ class Writer:
                 letter = hers if hers and hers not in made else next(x for x in free if x not in letters.values())
                 made[letter] = (red, green, blue)
         return made
+
+    @cached_property
+    def _hung(self) -> list[Placed]:
+        """What hangs from the loops of a round, where people are written for."""
+        return [] if self.exact else [r for r in self.pattern.finish if isinstance(r, Placed) and r.around]
 
     def words(self) -> Words:
         """All of it."""
@@ -234,6 +240,13 @@ class Writer:
             lines.append(Row("", self._sentence(self._done(done, closing)), colors=_hues([done])))
         closes = closing or (bool(written) and 0 < min(line.count or 99 for line in written[-2:]) <= _CLOSED)
         reached = reach([(line.count, line.makes) for line in written]) if closes and not self.exact else -1
+        hung = next((r for r in self._hung if r.part == section.name), None)
+        if hung is not None:  # the chain that it stands on is that round's loops
+            at = next(k for k, line in enumerate(written) if any(d.what == "ch" for d in _all(line)))
+            lines += [row for line in written[:at] for row in self._alone(line, closing)]
+            onto = hung.spot.part.replace(".", " ")
+            said = self.terms.page["hung on"].format(n=f"{hung.spot.round:g}", part=onto)
+            lines, written = [*lines, Row("", self._sentence(said))], written[at + 1 :]
         for k, line in enumerate(written):
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):

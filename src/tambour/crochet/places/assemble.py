@@ -60,6 +60,10 @@ class Assembly(Likely):
         self.made.apart += [p.name for p in later]
         self.made.behind += [p.name for p in (*behind, *self.layered)]
         self._undressed()
+        # What hangs from loops all round has its place.
+        inside = [r for r in self.built.pattern.finish if isinstance(r, Placed)]
+        self.around = [r for r in inside if r.around and any(r.part == p.name for p in self.parts)]
+        self.parts = [p for p in self.parts if not any(r.part == p.name for r in self.around)]
         half = {k for pair in halves(built) for k in pair}
         both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
         self.parts = [replace(p, halved=p.name in both) for p in self.parts]
@@ -77,6 +81,7 @@ class Assembly(Likely):
             self._shaped()
         self.heard = Heard(self.parts, sentences, self.text)
         self.heard.puts[:0] = self._worked_in()
+        self.made.unstuffed += [r.part for r in self.around]
         self.made.lost = self.heard.lost
         self.dog = re.search(r"\b(?:dog|puppy|pup|hound|dachshund|spaniel|poodle)\b", self.text[:200]) is not None
         if self.parts:
@@ -98,7 +103,7 @@ class Assembly(Likely):
                 0,
             )
             for r in self.built.pattern.finish
-            if isinstance(r, Placed) and r.through and r.part in made and r.spot.part in made
+            if isinstance(r, Placed) and r.through and not r.around and r.part in made and r.spot.part in made
         ]
 
     def _main(self) -> Made:
@@ -155,6 +160,7 @@ class Assembly(Likely):
         exact = {r.part for r, _ in self.heard.exact if isinstance(r, Placed)}
         self.out = [pair for pair in self.out if not (isinstance(pair[1], Placed) and pair[1].part in exact)]
         self.out += [(order, record) for record, order in self.heard.exact]
+        self.out += [(-1, record) for record in self.around]
         self.made.finish = [record for _, record in sorted(self.out, key=lambda pair: pair[0])]
         return self.made
 

@@ -22,6 +22,7 @@ from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.hung import on_loops
 from tambour.crochet.printed.items import evens
 from tambour.crochet.printed.items import works as works_some
 from tambour.crochet.printed.mend import is_start
@@ -102,7 +103,12 @@ class Headed(State):
                 t.value in ("skip", "slst") for t in tokens
             )  # a row may go on along its chain
             lying = chain is None and stands and draft.last > 0 and bool(draft.edge)
-            read = both or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain, lying)
+            hung = on_loops(self, draft, tokens, times) if self.hanging is not None and not draft.begun() else None
+            read = (
+                both
+                or hung
+                or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain, lying)
+            )
         except NotUnderstood as wrong:
             self._gap(draft, head, tokens, span, wrong)
             return

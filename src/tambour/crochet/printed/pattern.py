@@ -20,6 +20,7 @@ from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
+from tambour.crochet.printed.hung import hang_on
 from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
 from tambour.crochet.printed.mend import Found, agreed, mended
 from tambour.crochet.printed.naming import nameless_is
@@ -131,7 +132,9 @@ class Printed(Headed):
         copies = {part.name: part.copies for part in pattern.parts}
         given = {k.upper(): rgb for k, rgb in self.palette.given.items()}
         phrases = Phrases(self.phrases.terms, copies, given, self.phrases.hues)
-        found = assembled(built, self.sentences, phrases, self.palette, usual, hang(built, self.held))
+        found = assembled(
+            built, self.sentences, phrases, self.palette, usual, [*hang(built, self.held), *hang_on(built, self.hung)]
+        )
         if found is None:
             return pattern
         for span in found.lost:
@@ -279,6 +282,7 @@ class Printed(Headed):
         ringed = last is not None and last.ringed()
         if (
             first
+            and self.hanging is None
             and last is not None
             and last.last
             and last.off is None

@@ -32,6 +32,7 @@ from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
 from tambour.crochet.printed.headlines import dyed_only
 from tambour.crochet.printed.heads import STARS
+from tambour.crochet.printed.hung import joined_in_loops
 from tambour.crochet.printed.items import bare_count, works
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
 from tambour.crochet.printed.opening import founding, founds, opening
@@ -145,6 +146,8 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end
     worked_in(p, begin, end)
+    if joined_in_loops(p, tokens):
+        return True
     if (
         draft is not None
         and draft.last

@@ -31,6 +31,7 @@ from tambour.crochet.words.table import TERMS
 
 if TYPE_CHECKING:
     from tambour.crochet.printed.crocheted import Held
+    from tambour.crochet.printed.hung import Hung
     from tambour.crochet.printed.stripes import Plan
 
 _KNOWN: Final = (
@@ -121,6 +122,10 @@ class State:
         self.edged = False  # it worked along an edge that is no round's
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
         self.held: list[Held] = []  # words that hold parts to the round that is worked
+        self.hanging: tuple[int, Span] | None = (
+            None  # the round in whose loops the yarn was joined of the part that comes next
+        )
+        self.hung: list[Hung] = []  # parts that hang from such loops
 
     def _begins_round(self, tokens: list[Token], alone: bool) -> bool:
         """Whether words begin with the head of a round or, ``alone``, with the capital of an instruction."""
