@@ -245,8 +245,8 @@ class Writer:
             at = next(k for k, line in enumerate(written) if any(d.what == "ch" for d in _all(line)))
             lines += [row for line in written[:at] for row in self._alone(line, closing)]
             onto = hung.spot.part.replace(".", " ")
-            said = self.terms.page["hung on"].format(n=f"{hung.spot.round:g}", part=onto)
-            lines, written = [*lines, Row("", self._sentence(said))], written[at + 1 :]
+            join = self.terms.page["hung on"].format(n=f"{hung.spot.round:g}", part=onto)
+            lines, written = [*lines, Row("", self._sentence(join))], written[at + 1 :]
         for k, line in enumerate(written):
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
