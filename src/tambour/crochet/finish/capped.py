@@ -7,10 +7,12 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.finish.sewing import CLEARANCE, End
+from tambour.crochet.finish.placing import Frames, level
+from tambour.crochet.finish.sewing import CLEARANCE, End, is_disc
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
+from tambour.geometry.motion import length
 
 _FLARE: Final = 1.1
 """A cap is nowhere wider than its rim by more than this: a toadstool's is, and stands on its stem."""
@@ -54,6 +56,28 @@ def rim_on(built: Built, spots: Spots, placed: Placed, end: End) -> Array:
     fits = _FITS[0] * widest <= rim <= _FITS[1] * widest and max(mine) <= _FLARE * rim and mine[0] <= rim // 2
     first = next((k for k, count in enumerate(wide) if count >= _FITS[0] * rim), len(wide))
     return _ring(spots, host, down[at]) if fits and at > first else none
+
+
+def lid_on(built: Built, spots: Spots, placed: Placed, end: End) -> Array:
+    """The stitches of the round inside of which a disc is sewn all round, as soil in a pot; none of what is no lid.
+
+    Its edge has about as many stitches as that round of an open part, and no stitch of it is said.
+    """
+    host = spots.parts[placed.spot.part]
+    ring = _ring(spots, host, round(placed.spot.round))
+    disc = end.ring and is_disc(built, spots.parts[placed.part], 1)
+    if not disc or placed.spot.stitch is not None or spots.in_rows[host] or not len(spots.rim(host)):
+        return np.zeros(0, int)
+    return ring if _FITS[0] * len(ring) <= len(end.nodes) <= _FITS[1] * len(ring) else np.zeros(0, int)
+
+
+def across(spots: Spots, x: Array, ring: Array, part: int, upright: Array) -> Frames:
+    """The frame in the middle of a round (its nodes ``ring``) of an open part, looking out of its opening. x (N, 3)."""
+    out = x[spots.rim(part)].mean(0) - x[spots.built.graph.parts[part].start : spots.built.graph.parts[part].end].mean(
+        0
+    )
+    normal = (out / max(float(length(out)), 1e-9))[None]
+    return Frames(x[ring].mean(0)[None], normal, *level(normal, upright[[part]]))
 
 
 def drawn_over(moved: Array, rim: Array, low: Array, host: Array, p: Array, n: Array) -> Array:

@@ -14,7 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
-from tambour.crochet.finish.capped import drawn_over, rim_on
+from tambour.crochet.finish.capped import across, drawn_over, lid_on, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
 from tambour.crochet.finish.hanging import hung
 from tambour.crochet.finish.placing import Frames, frames, level, standing
@@ -294,13 +294,16 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
         at_end = np.isin(own, end.nodes)
         rank = np.searchsorted(own, end.nodes)
-        low = rim_on(built, spots, f, end)
-        seams.append(sewing.seam(x, graph, end, straight[rank], low if len(low) else bodies[body[other]], frame))
+        low, lid = rim_on(built, spots, f, end), lid_on(built, spots, f, end)
+        fabric = low if len(low) else lid if len(lid) else bodies[body[other]]
+        seams.append(sewing.seam(x, graph, end, straight[rank], fabric, frame))
         host = np.isin(fixed, bodies[body[other]])
         if len(low):
             x[own] = moved = drawn_over(
                 moved, at_end, x[low], x[bodies[body[other]]], frame.points[0], frame.normals[0]
             )
+        elif len(lid):
+            x[own] = moved
         else:
             x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], host, frame.normals[0])
         upright[part] = turned(upright[other], sewing.leaning(f, frame))
@@ -336,6 +339,8 @@ def _round_of(spots: Spots, placed: Placed) -> int:
 def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:
     """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
     built = joining.built
+    if len(lid := lid_on(built, joining.spots, placed, end)):
+        return across(joining.spots, x, lid, joining.spots.parts[placed.spot.part], upright)
     frame = frames(joining.spots, x, [placed.spot], upright)
     if joining.spots.place(placed.spot).opening:
         return frame

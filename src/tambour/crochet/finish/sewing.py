@@ -76,7 +76,7 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         nodes = _end_of_rows(built, spots, part)
     else:
         nodes = spots.sewn_rim(part)
-        if placed.flat and not _oval(built, part) and _disc(built, part, 2) and len(nodes) >= DISC:
+        if placed.flat and not _oval(built, part) and is_disc(built, part, 2) and len(nodes) >= DISC:
             # A full circle is sewn by a piece of its edge: the part of it that is worked last.
             nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
             return End(nodes[-max(4, len(nodes) // 5) :], False, none)
@@ -98,7 +98,7 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         not placed.flat
         and not rows
         and (graph.parts[part].stuffing == 0.0 or _one_round(built, part))
-        and _disc(built, part, 1)
+        and is_disc(built, part, 1)
     ):
         return End(nodes, True, none, laid=True, disc=True)
     pinch = placed.flat and not rows
@@ -111,7 +111,7 @@ def shut(spots: Spots, nodes: Array) -> bool:
     return len(nodes) > 1 and bool(spots.folded[nodes].mean() > 0.5)
 
 
-def _disc(built: Built, part: int, least: int = 4) -> bool:
+def is_disc(built: Built, part: int, least: int = 4) -> bool:
     """Whether a part is a flat circle of ``least`` rounds or more: about six stitches more in every round."""
     counts = [r.count for r in built.rounds if r.part == part]
     return len(counts) >= least and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)

@@ -11,10 +11,12 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem
 from tambour.core.graph import SEWN
+from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.finish.placing import frames
+from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, whole
-from tambour.crochet.language.finishes import Eye
+from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.settle.arrange import clusters
 from tambour.geometry.closest import Tree, nearest, tree
 from tambour.geometry.surface import face_normals
@@ -135,8 +137,12 @@ def _inside(one: _Fabric, points: Array, deep: float) -> Array:
 
 def _sunk(built: Built, fabric: dict[int, _Fabric], width: float) -> list[tuple[int, int]]:
     """Parts most of which is inside of a larger, stuffed one, with that."""
-    graph, found = built.graph, []
+    graph, found, known = built.graph, [], Spots(built)
+    placed = [f for f in built.pattern.finish if isinstance(f, Placed) and f.part in known.parts]
+    lids = {known.parts[f.part] for f in placed if len(lid_on(built, known, f, end_of(built, known, f)))}
     for k, one in fabric.items():
+        if k in lids:
+            continue
         for j, other in fabric.items():
             larger = j != k and graph.parts[j].stuffing > 0.0 and len(other.own) > len(one.own)
             if larger and _inside(other, one.own, DEEP * width).mean() > SUNK:

@@ -14,8 +14,9 @@ from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.places.faces import Facer
 from tambour.crochet.places.halves import halves
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
+from tambour.crochet.places.hosts import LIMBS, Hosts
 from tambour.crochet.places.layers import layers
-from tambour.crochet.places.likely import NAMELESS, Likely
+from tambour.crochet.places.likely import NAMELESS
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.onward import onward
 from tambour.crochet.places.said import Where
@@ -33,16 +34,11 @@ _SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branc
 """Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
 _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
-_ON_FACES: Final = frozenset(("eye", "nose", "muzzle", "beak", "cheek"))
-"""Kinds of parts that a face bears."""
-_LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
-_PATCHES: Final = frozenset(("belly", "face", "spot"))
-"""Kinds of things that stand out from a toy, and of things that only lie on it, and bear none of them."""
 DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
 
-class Assembly(Likely):
+class Assembly(Hosts):
     """Puts a pattern together.
 
     built : the pattern worked; sentences : of its finishing, in order; stitch : a stitch's width, mm
@@ -141,7 +137,8 @@ class Assembly(Likely):
         put = Facer(self)
         waiting = self._tree()
         self._fill(waiting)
-        trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem")]
+        under = self._under(self.bearer, waiting)
+        trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem") or p.copies[0][0] in under]
         for p in trunk:
             self.out += [(p.order, record) for record in put.part(p)]
         # Eyes whose rounds are known come before a muzzle, which is below them.
@@ -195,6 +192,9 @@ class Assembly(Likely):
     def _guess_parts(self) -> None:
         """Puts for parts that no sentence speaks of, and whose name says what they are."""
         taken, main = self._taken(), self.main
+        if self._outfit():
+            self.made.apart += [p.name for p in self.parts if p != main and (p, 1) not in taken]
+            return
         order = len(self.heard.puts) + len(self.heard.features) + len(self.heard.exact)
         for part in self.parts:
             free = [(part, k) for k in range(1, part.copies + 1) if part.worn or (part, k) not in taken]
@@ -224,10 +224,11 @@ class Assembly(Likely):
 
     def _tree(self) -> list[Put]:
         """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""
-        main, head = self.main, self.of_kind("head")
+        main = self.main
         exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
         seen: set[Copy] = {(main, 1)}
         puts: list[Put] = []
+        hosts = {c: p.host for p in reversed(self.heard.puts) if p.host is not None for c in p.copies}
         # What says most of a place comes first, whatever was said before.
         for p in sorted(self.heard.puts, key=_vagueness):
             if (main, 1) in p.copies:
@@ -247,9 +248,17 @@ class Assembly(Likely):
                 and c[1] <= self.layered.get(c[0], c[1])
                 and self.spots.parts[c[0].copy(c[1])] not in self.sewn
             ]
+            if free and p.host is None and p.where.rounds is not None:
+                p.host = hosts.get(free[0])  # "sew the claws to the arm. Sew them to Rnd 1.": of the arm
+            if free and p.host is not None and p.host[0].worn and p.host[0] != main and not p.copies[0][0].worn:
+                if p.kind not in LIMBS | {"head", "body", "neck"}:
+                    seen.update(free)  # a flower on a dress that lies beside the toy
+                    self.made.apart.append(free[0][0].name)
+                    continue
+                p.host = (main, 1)  # in its sleeves, and sewn to the body under them
             if free and self._another(p, puts):
                 seen.update(free)
-                self.made.apart.append(free[0][0].name)
+                self.made.apart.append(p.copies[0][0].name)
                 free = []
             if free and p.host is None and not p.where.says and not free[0][0].kind and NAMELESS.match(free[0][0].name):
                 self.made.apart.append(free[0][0].name)
@@ -259,53 +268,9 @@ class Assembly(Likely):
             seen.update(free)
             puts.append(replace(p, copies=free))
         on: dict[str, str] = {}
-        hair = [c[0] for p in puts for c in p.copies if c[0].kind == "hat" and {"hair", "wig"} & set(c[0].words)]
         for p in puts:
-            kind = p.kind
-            if p.host is None or p.host in p.copies:
-                host = (
-                    main
-                    if head is None or head in [c[0] for c in p.copies]
-                    else head
-                    if self._goes_on_head(p)
-                    else main
-                )
-                p.host = (host, 1)
-            if p.host[0] == main and (onto := self._end_of(p.copies[0][0])) is not None:
-                p.host = (onto, 1)
-                p.where = replace(p.where, words=p.where.words | {"tip"})
-            mask = next((c[0] for q in puts for c in q.copies if c[0].kind == "face" and c[0].single), None)
-            if kind in _ON_FACES and mask is not None and p.where.rounds is None and p.copies[0][0] != mask:
-                p.host = (mask, 1)  # on the face that is sewn on, and not behind it
-            if p.host[0].halved:  # of two halves the front one bears all
-                p.host = (p.host[0], 1)
-            if kind in _LIMBS and p.host[0].kind in _PATCHES:  # beside a patch, on what the patch lies on
-                p.host = (head if head is not None and kind in ("ear", "horn") else main, 1)
-                p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
-            if kind == "beard" and p.host[0].kind in (
-                "beak",
-                "nose",
-                "muzzle",
-            ):  # a wattle hangs below the beak, and hides it not
-                p.where = replace(p.where, beside=(("below", p.host[0].kind, None),), words=frozenset())
-                p.host = (head if head is not None else main, 1)
-            if kind == "beard" and p.host[0].kind == "hat":  # on the face under the hat
-                p.host = (head if head is not None else main, 1)
-                p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
-            if kind == "wheel":
-                p.host = (main, 1)
-                p.where = replace(p.where, rounds=None, beside=(), words=p.where.words & {"front", "back"})
-                whole = [c for c in p.copies if "half" not in c[0].words or c[1] % 2]
-                self.made.apart += [p.copies[0][0].name] if len(whole) < len(p.copies) else []
-                p.copies = whole  # two halves make one; the inner ones are not seen
-            if kind == "hat" and hair and hair[0] != p.copies[0][0] and p.host[0] not in hair and not p.where.says:
-                p.host = (hair[0], 1)  # over the hair, not inside of it
-            if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
-                p.host = (necks, 1)
-            if kind == "inner" or "inner" in p.copies[0][0].words:
-                ears = [m for m in self.parts if m.kind == "ear" and m != p.copies[0][0]]
-                if ears and ears[0].copies >= len(p.copies):
-                    p.host = (ears[0], 0)
+            self._seat(p, puts)
+            assert p.host is not None
             for c in p.copies:
                 on[c[0].copy(c[1])] = p.host[0].copy(max(1, p.host[1]))
         on.update(exact)
@@ -327,28 +292,13 @@ class Assembly(Likely):
         return sorted(puts, key=lambda p: depth(p.copies[0][0].copy(p.copies[0][1])))
 
     @staticmethod
-    def _another(p: Put, puts: list[Put]) -> bool:
-        """Whether ears are of another version of the toy: there is a pair at that place already."""
-        made = p.copies[0][0]
-        return (
-            p.kind == "ear"
-            and "inner" not in made.words
-            and p.where.rounds is None
-            and any(
-                q.kind == "ear"
-                and "inner" not in q.copies[0][0].words
-                and q.host == p.host
-                and len(q.copies) == len(p.copies) == 2
-                and q.where.words == p.where.words
-                for q in puts
-            )
-        )
-
-    def _goes_on_head(self, p: Put) -> bool:
-        from tambour.crochet.places.usual import usual
-
-        kind = p.kind
-        return p.region == "head" or (p.region != "body" and usual(kind, len(p.copies))[0].on == "head")
+    def _under(part: Made, puts: list[Put]) -> set[Made]:
+        """A part, and what it stands on, one on the other."""
+        found = {part}
+        while (on := next((p.host[0] for p in puts if p.copies[0][0] == part and p.host), None)) and on not in found:
+            found.add(on)
+            part = on
+        return found
 
     def _eyes(self, put: Facer, features: list[Feature]) -> None:
         for feature in features:

@@ -204,6 +204,8 @@ class Facer(Putter):
         ):
             return work.host((muzzle, 1))
         head = work.of_kind("head")
+        if work.bearer != work.main:
+            return work.host((work.bearer, 1))
         return work.host((head, 1)) if head is not None and head != work.main else work.host((work.main, 1), "head")
 
     def _too_small(self, f: Feature) -> bool:

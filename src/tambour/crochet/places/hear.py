@@ -10,31 +10,19 @@ from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places import face
+from tambour.crochet.places.assembling import ALL, DRAWN, EYED, EYES, TO
 from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
-from tambour.crochet.places.said import VERB, Where, clauses, where
+from tambour.crochet.places.said import VERB, N, Where, clauses, number, where
 
 Copy = tuple[Made, int]
-_EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
-_EYED: Final = re.compile(
-    r"\b(?:insert\w*|place[ds]?|placing|attach(?:ed)?|add(?:ed)?|put|position(?:ed|ing)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|"
-    r"pop(?:ped)?|snap(?:ped)?)\b"
-)
-_DRAWN: Final = re.compile(
-    r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
-)
 _THREAD: Final = re.compile(
     r"\b(?:satin|straight|stem|chain|split|running|lazy daisy) (?:st|sts|stitch|stitches)\b|\bback-?stitch\b|\bfrench knots?\b"
 )
 """Stitches that draw with thread."""
 _NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along)\b")
-_MORE: Final = re.compile(r"(?:\band|,)\s+(?:the\s+|\w+ing\s+)?$")
-_ALL: Final = re.compile(
-    r"\b(?:sew|attach|assemble|stitch|join|put)\s+(?:on\s+)?(?:everything|all (?:of )?(?:the |your )?(?:pieces|parts|limbs|bits)|the (?:pieces|parts)|(?:pieces|parts)|all together)\b"
-)
-_STITCHES: Final = re.compile(r"\b(?:sc|hdc|dc|sl st|ch \d+|inc|dec|magic|marker|hook|seam)\b")
-_TO: Final = re.compile(
-    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down|(?:either|each) side|both sides)\b"
-)
+_MORE: Final = re.compile(rf"(?:\band|,)\s+(?:the\s+|\w+ing\s+|{N}\s+)?$")
+_COUNTED: Final = re.compile(rf"\b({N})\s+(?:(?!of\b)[a-z]+\s+)?$")
+"""How many of a part are put there, before its name: "two flowers to the side"."""
 _ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
 """Where "on" may belong to the verb: "sew on the snout"."""
 _ADJACENT: Final = re.compile(
@@ -67,6 +55,7 @@ _WHEN: Final = re.compile(
 _MEET: Final = re.compile(
     r"\b(?:where|at which) (?:the )?(?:head and (?:the )?body|body and (?:the )?head) (?:meet|join|are joined)\b"
 )
+_EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
     r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+)*$"
@@ -126,6 +115,8 @@ _ONE_OTHER: Final = re.compile(
     r"\bone ((?:\w+ ){0,2}?\w+?)s? ((?:at|on|in|between|over|to|near|above|below)\b[^,;:.]*?),? (?:and )?the other (?:one )?([^,;:.]*)"
 )
 """Two of a kind, each with a place of its own: "one big spot at the top, the other between R7 and R11"."""
+_BOTH: Final = re.compile(r"\bboth\b[^,;:.]*")
+"""What is said of the two of them behind their places: "both pointing up"."""
 _HAIR: Final = re.compile(
     r"\b(?:sew|stitch|knot|attach)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around)\b)[^.,;]){0,40}"
     r"(?P<hair>(?:\band\s+(?:the\s+)?)?\bhair\b)(?!\s*(?:bow|tie|band|clip|ribbon|line))"
@@ -136,45 +127,6 @@ _BUTTONS: Final = re.compile(
     r"(?:(?:each|either)\s+side\s+of\s+)?(?:the\s+)?(?:front\s+of\s+(?:the\s+)?)?(?:head|face)\b"
 )
 """Buttons on a head that nobody calls eyes."""
-_WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
-"""How noses are made that are not called embroidered."""
-
-
-def assembling(text: str, names: list[str]) -> bool:
-    """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
-    low = text.lower()
-    if len(low) <= 600 and _WOUND.search(low) and face.motifs(low):
-        return True
-    if len(low) > 600 or not VERB.search(low):
-        return False
-    if _ALL.search(low):
-        return True
-    if _EYES.search(low) and _EYED.search(low) and not re.search(r"\beye of\b|\bneedle eye\b", low):
-        return True
-    if re.search(r"\bembroider\w*\b", low):
-        return True
-    if re.search(r"\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or _TO.search(low)):
-        return True
-    if re.search(r"\b(?:whiskers?|eyelash\w*|eyebrows?|freckles?|smile|cheeks|blush|mouth)\b", low) and _DRAWN.search(
-        low
-    ):
-        return True
-    if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
-        return False
-    if not re.search(
-        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute)\b",
-        low,
-    ):
-        return False
-    if re.match(r"(?:\W*\w+){0,4}?\W*(?:sew|attach|pin|position)\s+(?!clos|shut|up\b|yarn)", low) and re.search(
-        r"\b(?:to|onto|on)\b", low
-    ):
-        return True
-    known = {w for name in names for w in Made(name, 1).words}
-    words = [one(w) for w in re.findall(r"[^\W\d_]+", low)]
-    return any(w in known or kind_of(w) for w in words) and bool(
-        _TO.search(low) or re.search(r"\b(?:as shown|as pictured|in place|together|photo)\b", low)
-    )
 
 
 class Heard:
@@ -201,7 +153,7 @@ class Heard:
             return
         low = sentence.text.lower().replace("\n", " ")
         low = _WHEN.sub(lambda m: " " * len(m[0]), low)
-        if _ALL.search(low):
+        if ALL.search(low):
             self.everything = True
             return
         heard, begin = False, 0
@@ -226,7 +178,7 @@ class Heard:
                 self.features.append(Feature("hair", host, "head", at, sentence.span, order, color, low))
             rest = low[: hair.start("hair")] + " " * len(hair["hair"]) + low[hair.end() :]
             if not (
-                _EYES.search(rest, hair.start(), hair.start("hair")) or any(m.end < hair.start("hair") for m in found)
+                EYES.search(rest, hair.start(), hair.start("hair")) or any(m.end < hair.start("hair") for m in found)
             ):
                 return True
             low = rest  # "sew eyes and hair to head" puts eyes too
@@ -234,22 +186,23 @@ class Heard:
         if glass:  # these are no eyelids that were crocheted
             found = [m for m in found if not (glass.start() <= m.start < glass.end())]
         named_eyes = any("eye" in m.copies[0][0].kinds for m in found) and not (glass and _put_eyes(low, glass.start()))
-        features = face.motifs(low) if _DRAWN.search(low) else []
+        features = face.motifs(low) if DRAWN.search(low) else []
         if features:  # a nose that is embroidered is no muzzle
             drawn = ("nose", "mouth", "eye", "cheek", "beak")
             found = [m for m in found if m.word not in drawn or any(m.word in p.words for p, _ in m.copies)]
         features = [f for f in features if not any(f.rstrip("s") in m.word for m in found)]
         felt = re.search(r"\bfelt\b", low)
-        eyes = _EYES.search(low)
+        eyes = EYES.search(low)
         eyed = bool(
-            eyes and _EYED.search(low) and "embroider" not in low and not named_eyes and _put_eyes(low, eyes.start())
+            eyes and EYED.search(low) and "embroider" not in low and not named_eyes and _put_eyes(low, eyes.start())
         )
         if (two := _ONE_OTHER.search(low)) and (which := mentions(two[1], self.parts)):
             part = which[0].copies[0][0]
             if part.copies == 2 and VERB.search(low[: two.start()] + " "):
-                host = next((m.copies[0] for m in found if m.end <= two.start() and m.copies[0][0] != part), None)
+                host = next((m.copies[0] for m in found if m.copies[0][0] != part), None)
+                also = _BOTH.search(low, two.end())
                 for k, words in ((1, two[2]), (2, two[3])):
-                    place = where(words)
+                    place = where(f"{words}, {also[0]}" if also else words)
                     self.puts.append(Put([(part, k)], host, self._region(low), place, sentence.span, order))
                 rest = low[: two.start()] + low[two.end() :]
                 return self._clause(rest, sentence, order, color) or True
@@ -288,16 +241,19 @@ class Heard:
             low,
         ):
             return False
-        to = _TO.search(low, self._particle(low, verb, found, sentence))
+        to = TO.search(low, self._particle(low, verb, found, sentence))
         # "arms to the sides of the body and legs to its bottom" are two.
         more = [
             m for m in found if to and m.start > to.end() and _NEXT.match(low, m.end) and _MORE.search(low[: m.start])
         ]
         if more:
-            rest = f"sew {low[more[0].start :]}"
-            self._put(rest, mentions(rest, self.parts), where(rest), sentence, order)
+            joined = _MORE.search(low[: more[0].start])
+            assert joined is not None
+            rest = f"sew {low[joined.start() :].removeprefix('and').lstrip(' ,')}"
             low = low[: more[0].start]
             at, found = where(low), [m for m in found if m.end <= more[0].start]
+            done = self._put(low, found, at, sentence, order)
+            return self._put(rest, mentions(rest, self.parts), where(rest), sentence, order) or done
         objects = [m for m in found if m.start >= verb.end() and (not to or m.start < to.start())]
         hosts = [m for m in found if to and m.start >= to.end() and not _NEAR.search(low[: m.start])]
         hosts = [m for m in hosts if not m.copies[0][0].worn] or hosts
@@ -331,7 +287,7 @@ class Heard:
             return bool(objects or sentence.part)
         if not objects:
             return False
-        copies = list(dict.fromkeys(c for m in objects for c in m.copies))
+        copies = list(dict.fromkeys(c for m in objects for c in self._counted(m, low)))
         host = next((_each(m, copies) for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
         if host is None and re.search(r"\btog(?:ether)?\b", low) and len({p.name for p, _ in copies}) == 2:
             host = copies.pop()
@@ -341,6 +297,21 @@ class Heard:
         for group in _apart(copies):
             self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, word=one(word[group[0][0]])))
         return True
+
+    def _counted(self, mention: Mention, low: str) -> tuple[Copy, ...]:
+        """The copies of a part that are meant: "one flower" is the next that has no place, "two flowers" are the two after it."""
+        part, said = mention.copies[0][0], _COUNTED.search(low[: mention.start])
+        many = int(number(said[1])) if said else 0
+        if (
+            not 0 < many < len(mention.copies)
+            or part.copies < 3
+            or _EACH.search(low)
+            or part.copies != len(mention.copies)
+        ):
+            return mention.copies
+        given = {c for p in self.puts for c in p.copies}
+        free = [c for c in mention.copies if c not in given]
+        return tuple(free[:many]) if len(free) >= many else mention.copies
 
     def _just_closed(self, sentence: Sentence) -> list[Mention]:
         """The part of which the sentence before speaks: "Sew top of legs closed. Sew to bottom of body."."""

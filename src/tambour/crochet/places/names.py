@@ -60,6 +60,11 @@ _VESSELS: Final = frozenset(
     "eimer topf teller bolsa bolso cesta taza cuenco cubo maceta plato sac panier tasse bol seau pot assiette tas mand kop kom emmer bord".split()
 )
 """Words of things that stand with their opening upwards."""
+_HAIR: Final = frozenset("hair wig haar perücke pelo peluca cheveux perruque pruik".split())
+_SHOES: Final = frozenset(
+    "shoe boot bootie sandal slipper schuh stiefel zapato bota chaussure botte schoen laars".split()
+)
+_HALVES: Final = frozenset("half hälfte mitad moitié helft".split())
 LIKE: Final = (
     {"fluke", "tail"},
     {"fin", "arm", "wing"},
@@ -156,6 +161,21 @@ class Made:
     def vessel(self) -> bool:
         """Whether it holds something, by the last word of its name, and stands with its opening upwards."""
         return bool(self.words) and self.words[-1] in _VESSELS
+
+    @property
+    def hair(self) -> bool:
+        """Whether it is hair, and no hat, though either lies on a head."""
+        return bool(_HAIR & set(self.words))
+
+    @property
+    def shod(self) -> bool:
+        """Whether it is a shoe, by the last word of its name."""
+        return bool(self.words) and self.words[-1] in _SHOES
+
+    @property
+    def half(self) -> bool:
+        """Whether two of it make one thing."""
+        return bool(_HALVES & set(self.words))
 
     def copy(self, k: int) -> str:
         """The name of its k-th copy, from 1."""

@@ -10,13 +10,15 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.finish import sewing
+from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import ABOVE, SIDE
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import BESIDE, SPREAD
 from tambour.crochet.places.jointed import Jointer
 from tambour.crochet.places.names import one
-from tambour.crochet.places.room import aside
+from tambour.crochet.places.room import aside, spread
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
 
@@ -37,7 +39,7 @@ _STANDS: Final = re.compile(
 )
 """A piece of which the lower edge is in the round that is said."""
 _HANGS: Final = re.compile(
-    r"\b(?:top|upper)\s+(?:edge\s+)?of\s+(?:the\s+)?\w+\s+(?:\w+\s+)?(?:just\s+)?(?:below|under|at|on|with|along)\s+(?:the\s+)?"
+    r"\b(?:top|upper)\s+(?:edge\s+)?of\s+(?:the\s+)?(\w+)\s+(?:\w+\s+)?(?:just\s+)?(?:below|under|at|on|with|along)\s+(?:the\s+)?"
     r"(?:rounds?|rnds?|rows?|r|\d+(?:st|nd|rd|th))\b"
 )
 """A piece of which the upper edge is at the round that is said."""
@@ -192,7 +194,9 @@ class Putter(Jointer):
         made = [(c, self._spotted(put, host, way, k)) for k, (c, way) in enumerate(zip(put.copies, ways))]
         if len(made) == 2 and put.copies[0][0] == put.copies[1][0]:
             made = self._paired(put, host, made)
-        made = [(c, (spot if put.where.stitch is not None else host.within(spot), way)) for c, (spot, way) in made]
+        if put.where.stitch is None:
+            places = spread([spot for _, (spot, _) in made], host, 2.0 * self._half(put.copies[0]))
+            made = [(c, (host.within(spot), way)) for (c, (_, way)), spot in zip(made, places)]
         if not all(self.stand.there(spot) for _, (spot, _) in made):
             return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made]
         records = [self._placed(put, c, spot, way, host) for c, (spot, way) in made]
@@ -208,6 +212,12 @@ class Putter(Jointer):
         """Whether a place is said so that nothing of it is left to choose."""
         at = put.where
         return at.stitch is not None or self._apart(at) is not None or at.aside is not None or bool(at.beside)
+
+    def _lids(self, copy: Copy, spot: Spot) -> bool:
+        """Whether a part is a disc as wide as the round that is said: it is sewn into it all round, as soil in a pot."""
+        record, spots = Placed(copy[0].copy(copy[1]), spot), self.work.spots
+        there = self.stand.there(spot)
+        return there and len(lid_on(spots.built, spots, record, sewing.end_of(spots.built, spots, record))) > 0
 
     def _long(self, copy: Copy) -> bool:
         """Whether a part is much longer than wide."""
@@ -236,7 +246,7 @@ class Putter(Jointer):
                 level += 0.5 * (
                     len(self.work.host(put.copies[k]).levels) - 1
                 )  # the middle of what stands on that round
-            if _HANGS.search(at.text):
+            if (hangs := _HANGS.search(at.text)) and one(hangs[1]) not in host.name.lower().split():
                 half = self._half(put.copies[k])
                 both = [n for n in (level - half, level + half) if host.low <= n <= host.high]
                 level = min(
@@ -246,6 +256,8 @@ class Putter(Jointer):
                 )
             if at.stitch is not None and len(put.copies) == 1:
                 return Spot(host.name, level, at.stitch, put.span), way
+            if len(put.copies) == 1 and self._lids(put.copies[0], lid := Spot(host.name, level, None, put.span)):
+                return lid, way
             if at.aside is not None and len(put.copies) == 1:
                 return Spot(host.name, level, host.aside(level, at.aside), put.span), way
             stitch = host.in_round(level, direction)
@@ -265,6 +277,8 @@ class Putter(Jointer):
             drop = deep + _BELOW_EYES[put.kind] * self._half(put.copies[k])
             there = self._off_the_eyes(put, host, host.ahead(middle[0], middle[1] - drop), k)
             return replace(host.near(there), span=put.span), way
+        if "middle" in at.words and len(put.copies) == 1 and (begun := host.begun) is not None:
+            return replace(begun, span=put.span), way
         if "tip" in at.words and len(put.copies) == 1:
             pole = self._far_end(host)
             if pole is not None:
@@ -305,12 +319,15 @@ class Putter(Jointer):
         return abs(float(host.axis[1])) < 0.5
 
     def _far_end(self, host: Host) -> Spot | None:
-        """The end of a part away from what it is on; of one that lies its hind end."""
-        for direction in (host.axis, -host.axis):
-            away = direction if host.name.split(".")[0] != self.work.main.name else np.array([0.0, 0.0, -1.0])
-            if float(direction @ away) > 0.5:
-                return host.pole(direction)
-        return None
+        """The end of a part away from where it is sewn; of the main part, which lies, its hind end."""
+        away = np.array([0.0, 0.0, -1.0])
+        if host.name.split(".")[0] != self.work.main.name:
+            sewn = next((r for _, r in self.work.out if isinstance(r, Placed) and r.part == host.name), None)
+            first, last = host.levels[0][1].mean(0), host.levels[-1][1].mean(0)
+            seam = last if sewn is None else self.stand.frame(sewn.spot).points[0]
+            nearer = ((last - seam) ** 2).sum() < ((first - seam) ** 2).sum()
+            away = -host.axis if nearer else host.axis
+        return next((host.pole(way) for way in (host.axis, -host.axis) if float(way @ away) > 0.5), None)
 
     def _half(self, copy: Copy) -> float:
         """Half the width of a part's end, in stitches."""

@@ -12,8 +12,8 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.joining import SAME_SIDE
-from tambour.crochet.language.finishes import Placed
-from tambour.crochet.places.stand import Stand
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.places.stand import Host, Stand
 from tambour.crochet.places.usual import Way
 
 _APART: Final = 1.5
@@ -77,6 +77,25 @@ def _meet(one: Seam, other: Seam) -> bool:
     middles = float(np.sqrt(((one.points.mean(0) - other.points.mean(0)) ** 2).sum()))
     inside = (other.ring and middles < other.wide) or (one.ring and middles < one.wide)
     return apart < _APART or (inside and float(one.normal @ other.normal) > SAME_SIDE)
+
+
+def spread(spots: list[Spot], host: Host, wide: float) -> list[Spot]:
+    """``spots`` of copies, those at one place ("four on each side") side by side: along the part, else around it.
+
+    wide : how wide a copy is, in stitches
+    """
+    found = list(spots)
+    for place in dict.fromkeys((s.round, s.stitch) for s in spots if s.stitch is not None):
+        own = [k for k, s in enumerate(spots) if (s.round, s.stitch) == place]
+        step, last = wide + _APART, len(own) - 1
+        along = last * step <= host.high - host.low
+        first = place[0] - 0.5 * last * step
+        first = min(max(first, host.low), host.high - last * step)
+        for i, k in enumerate(own if last else ()):
+            off = (i - 0.5 * last) * step
+            at = {"round": round(first + i * step)} if along else {"stitch": (place[1] or 1.0) + off}
+            found[k] = replace(spots[k], **at)
+    return found
 
 
 def aside(ways: list[Way]) -> Iterator[list[Way]]:

@@ -17,7 +17,7 @@ _NUMBERS: Final = {
     w: k for k, w in enumerate("zero one two three four five six seven eight nine ten eleven twelve".split())
 }
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
-_N: Final = r"(?:\d+(?:\.\d+)?|one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve)"
+N: Final = r"(?:\d+(?:\.\d+)?|one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve)"
 _ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 _ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
 _LENGTH: Final = r"(\d+(?:[.,]\d+)?(?:\s*[½¼¾⅓⅛⅜⅝⅞]|[- ]\d/\d)?|[½¼¾⅓⅛⅜⅝⅞])\s*-?(mm|cm|inch(?:es)?|in\b|\"|”|″|'')"
@@ -30,22 +30,22 @@ _ORDINAL: Final = re.compile(
     rf"(?:\s*(?:{_ROUND})?\s*(-|–|to|and|&|through)\s*(?:the\s+)?(\d+)(?:st|nd|rd|th))?\s+{_ROUND}\b"
 )
 _APART: Final = re.compile(
-    rf"({_N})(?:\s*(?:-|–|to|or)\s*({_N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
+    rf"({N})(?:\s*(?:-|–|to|or)\s*({N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
     rf"visible between|left between)"
 )
-_SPACE: Final = re.compile(rf"\b(?:interspace|space|gap)\s+of\s+(?:about\s+|approx\w*\.?\s+)?({_N})\s*{_ST}\b")
+_SPACE: Final = re.compile(rf"\b(?:interspace|space|gap)\s+of\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{_ST}\b")
 LONG: Final = re.compile(rf"{_LENGTH}[- ]*long\b")
 _APART_MM: Final = re.compile(rf"{_LENGTH}(?:\s*[\[(][^\])]*[\])])?\s+(?:apart|between|from each other)")
 _WIDE: Final = re.compile(
-    rf"({_N})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({_N})\s*{_ST}"
+    rf"({N})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({N})\s*{_ST}"
 )
 _ASIDE: Final = re.compile(
-    rf"({_N})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
+    rf"({N})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
 )
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
 _BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door)"
 _AWAY: Final = re.compile(
-    rf"(?:({_N})\s+(?:{_ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
+    rf"(?:({N})\s+(?:{_ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
     rf"(below|beneath|under|underneath|down from|above|over|up from|beside|next to|in between|between|in line with|"
     rf"level with|at the level of|on either side of|on both sides of|at (?:the )?sides? of|in front of|behind|back from|"
     rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"

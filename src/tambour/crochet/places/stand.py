@@ -11,6 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish import sewing
+from tambour.crochet.finish.capped import across, lid_on
 from tambour.crochet.finish.placing import Frames, frames, standing
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed, Spot
@@ -57,6 +58,8 @@ class Stand:
         layout = self.spots.layout
         how = sewing.held(layout, own, end)
         frame = self.frame(placed.spot)
+        if len(lid := lid_on(self.spots.built, self.spots, placed, end)):
+            frame = across(self.spots, self.x, lid, self.spots.parts[placed.spot.part], self.upright)
         axis, front = sewing.ways(placed, end, frame)
         self.x[own] = sewing.brought(layout, own, how, axis, front, frame.points[0])
         self.upright[part] = sewing.leaning(placed, frame) @ self.upright[self.spots.parts[placed.spot.part]]
@@ -138,6 +141,9 @@ class Host:
 
     def pole(self, direction: Array, least: float = 0.9) -> Spot | None:
         """The middle of an end that looks in ``direction`` (by ``least``, a cosine): the ring, the tip, or the middle of the opening."""
+        if self.stand.spots.in_rows[self.part]:  # its ends are edges, and no openings
+            along = float(self.axis @ direction)
+            return Spot(self.name, float(self.high if along > 0 else self.low), None) if abs(along) > least else None
         if float(self.axis @ direction) > least and self.high == self._ends[1]:
             g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
             if (g.peculiarity[p.start : p.end] == TIP).any() or len(self.stand.spots.rim(self.part)):
@@ -147,6 +153,18 @@ class Host:
             if (g.peculiarity[p.start : p.end] == ROOT).any() or len(self.stand.spots.begun(self.part)):
                 return Spot(self.name, float(self.low - 1), None)
         return None
+
+    @property
+    def begun(self) -> Spot | None:
+        """The ring in the middle of a disc; None where it is no disc, or begins with no ring."""
+        g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
+        wide = max(len(ring) for _, ring in self.levels)
+        disc = wide > 4 * len(self.levels) and len(self.levels[-1][1]) == wide
+        return (
+            Spot(self.name, float(self.low - 1), None)
+            if disc and (g.peculiarity[p.start : p.end] == ROOT).any()
+            else None
+        )
 
     @property
     def _ends(self) -> tuple[int, int]:

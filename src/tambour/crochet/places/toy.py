@@ -134,6 +134,11 @@ class Toy:
         end = first.start() if first else part.lines[0].span.end if part.lines else part.span.end
         return _AHEAD.search(self.text[begin : min(end, part.span.start + 300)]) is not None
 
+    @property
+    def bearer(self) -> Made:
+        """What bears a face, and what no sentence puts elsewhere."""
+        return self.main
+
     def nose_first(self, made: Made) -> bool:
         """Whether a head is worked from its nose to its back."""
         return made.kind == "head" and "body" not in made.kinds and self.ahead(made)

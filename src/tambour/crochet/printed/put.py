@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
-from tambour.crochet.places.hear import assembling
+from tambour.crochet.places.assembling import assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken
 from tambour.crochet.printed.assembly import Said

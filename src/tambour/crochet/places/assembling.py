@@ -1,0 +1,65 @@
+"""Assembling: whether a sentence puts parts or a face somewhere."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.crochet.places import face
+from tambour.crochet.places.names import Made, kind_of, one
+from tambour.crochet.places.said import VERB
+
+EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
+EYED: Final = re.compile(
+    r"\b(?:insert\w*|place[ds]?|placing|attach(?:ed)?|add(?:ed)?|put|position(?:ed|ing)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|"
+    r"pop(?:ped)?|snap(?:ped)?)\b"
+)
+DRAWN: Final = re.compile(
+    r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
+)
+ALL: Final = re.compile(
+    r"\b(?:sew|attach|assemble|stitch|join|put)\s+(?:on\s+)?(?:everything|all (?:of )?(?:the |your )?(?:pieces|parts|limbs|bits)|the (?:pieces|parts)|(?:pieces|parts)|all together)\b"
+)
+_STITCHES: Final = re.compile(r"\b(?:sc|hdc|dc|sl st|ch \d+|inc|dec|magic|marker|hook|seam)\b")
+TO: Final = re.compile(
+    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down|(?:either|each) side|both sides)\b"
+)
+_WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
+"""How noses are made that are not called embroidered."""
+
+
+def assembling(text: str, names: list[str]) -> bool:
+    """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
+    low = text.lower()
+    if len(low) <= 600 and _WOUND.search(low) and face.motifs(low):
+        return True
+    if len(low) > 600 or not VERB.search(low):
+        return False
+    if ALL.search(low):
+        return True
+    if EYES.search(low) and EYED.search(low) and not re.search(r"\beye of\b|\bneedle eye\b", low):
+        return True
+    if re.search(r"\bembroider\w*\b", low):
+        return True
+    if re.search(r"\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or TO.search(low)):
+        return True
+    if re.search(r"\b(?:whiskers?|eyelash\w*|eyebrows?|freckles?|smile|cheeks|blush|mouth)\b", low) and DRAWN.search(
+        low
+    ):
+        return True
+    if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
+        return False
+    if not re.search(
+        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute)\b",
+        low,
+    ):
+        return False
+    if re.match(r"(?:\W*\w+){0,4}?\W*(?:sew|attach|pin|position)\s+(?!clos|shut|up\b|yarn)", low) and re.search(
+        r"\b(?:to|onto|on)\b", low
+    ):
+        return True
+    known = {w for name in names for w in Made(name, 1).words}
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", low)]
+    return any(w in known or kind_of(w) for w in words) and bool(
+        TO.search(low) or re.search(r"\b(?:as shown|as pictured|in place|together|photo)\b", low)
+    )

@@ -1,0 +1,117 @@
+"""Hosts: what a part is sewn to where no sentence says it, and where what it says would hide the part."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import Final
+
+from tambour.crochet.places.hear import Put
+from tambour.crochet.places.likely import Likely
+from tambour.crochet.places.names import Made
+from tambour.crochet.places.usual import usual
+
+LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
+_PATCHES: Final = frozenset(("belly", "face", "spot"))
+"""Kinds of things that stand out from a toy, and of things that only lie on it, and bear none of them."""
+_ON_FACES: Final = frozenset(("eye", "nose", "muzzle", "beak", "cheek"))
+"""Kinds of parts that a face bears."""
+_CROWNING: Final = frozenset(("bow", "leaf", "stem", "tuft"))
+"""Kinds of things that are put on a head, and on the hat or the hair over it where it has one."""
+
+_CLOTHES: Final = re.compile(r"\b(?:outfit|clothes|clothing|wardrobe|accessories|costume|cardigan|dress)\b")
+"""What titles of patterns for clothes say."""
+
+
+class Hosts(Likely):
+    """Knows what every part of a toy is sewn to."""
+
+    @property
+    def bearer(self) -> Made:
+        """What bears a face and what no sentence puts elsewhere: the main part, but of a plant in its pot the plant."""
+        if not self.main.vessel:
+            return self.main
+        put = [c[0] for p in self.heard.puts for c in p.copies if not p.guess and c[0] != self.main]
+        return max((m for m in put if m.single and not m.kind), key=self.size, default=self.main)
+
+    def _another(self, p: Put, puts: list[Put]) -> bool:
+        """Whether limbs are of another version of the toy, or a piece of those that are there: a pair is at that place already."""
+        made = p.copies[0][0]
+        if p.kind not in ("ear", "arm") or "inner" in made.words or p.where.rounds is not None:
+            return False
+        for q in puts:
+            other = q.copies[0][0]
+            if q.kind != p.kind or q.host != p.host or "inner" in other.words or q.where.words != p.where.words:
+                continue
+            if len(q.copies) == len(p.copies) == 2 and (p.kind == "ear" or other.words == made.words):
+                if p.kind == "arm" and self.size(made) > self.size(other):
+                    p.copies, q.copies = q.copies, p.copies  # a sleeve's end is the piece of an arm
+                return True
+        return False
+
+    def _goes_on_head(self, p: Put) -> bool:
+        return p.region == "head" or (p.region != "body" and usual(p.kind, len(p.copies))[0].on == "head")
+
+    def _seat(self, p: Put, puts: list[Put]) -> None:
+        """Gives a put its host: what was said, or what such parts are usually on; never what would hide it."""
+        main, head = self.main, self.of_kind("head")
+        kind, made = p.kind, p.copies[0][0]
+        if p.host is None or p.host in p.copies:
+            own = head in [c[0] for c in p.copies]
+            p.host = (self.bearer if head is None or own or not self._goes_on_head(p) else head, 1)
+        if p.host[0] == main and (onto := self._end_of(made)) is not None:
+            p.host = (onto, 1)
+            p.where = replace(p.where, words=p.where.words | {"tip"})
+        every = [c[0] for q in puts for c in q.copies]
+        mask = next((m for m in every if m.kind == "face" and m.single), None)
+        if kind in _ON_FACES and mask is not None and p.where.rounds is None and made != mask:
+            p.host = (mask, 1)  # on the face that is sewn on, and not behind it
+        if p.host[0].halved:  # of two halves the front one bears all
+            p.host = (p.host[0], 1)
+        self._off_what_hides(p)
+        if kind == "wheel":
+            p.host = (main, 1)
+            p.where = replace(p.where, rounds=None, beside=(), words=p.where.words & {"front", "back"})
+            whole = [c for c in p.copies if not c[0].half or c[1] % 2]
+            self.made.apart += [made.name] if len(whole) < len(p.copies) else []
+            p.copies = whole  # two halves make one; the inner ones are not seen
+        hair = [m for m in every if m.kind == "hat" and m.hair]
+        hats = [m for m in every if m.kind == "hat" and m.single and m != made]
+        if kind == "hat" and hair and hair[0] != made and p.host[0] not in hair and not p.where.says:
+            p.host = (hair[0], 1)  # over the hair, not inside of it
+        if kind in _CROWNING and p.host[0] == head and hats and p.where.rounds is None and not p.where.beside:
+            p.host = (next((m for m in hats if not m.hair), hats[0]), 1)
+        if kind == "foot" and made.shod and p.host[0] == main and p.where.rounds is None:
+            legs = [m for m in self.parts if m.kind == "leg" and m.copies == len(p.copies) and m != made]
+            if legs:  # shoes are at the ends of its legs
+                p.host = (legs[0], 0)
+                p.where = replace(p.where, beside=(), words=frozenset(("tip",)))
+        if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
+            p.host = (necks, 1)
+        if kind == "inner" or "inner" in made.words:
+            ears = [m for m in self.parts if m.kind == "ear" and m != made]
+            if ears and ears[0].copies >= len(p.copies):
+                p.host = (ears[0], 0)
+
+    def _off_what_hides(self, p: Put) -> None:
+        """Limbs off patches, a beard off the beak or the hat that it would hide: each on what these lie on."""
+        assert p.host is not None
+        kind, onto, head = p.kind, p.host[0], self.of_kind("head")
+        above = (head if head is not None else self.main, 1)
+        if kind in LIMBS and onto.kind in _PATCHES:
+            p.host = above if kind in ("ear", "horn") else (self.main, 1)
+            p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
+        elif kind == "beard" and onto.kind in ("beak", "nose", "muzzle"):  # a wattle hangs below it
+            p.where = replace(p.where, beside=(("below", onto.kind, None),), words=frozenset())
+            p.host = above
+        elif kind == "beard" and onto.kind == "hat":  # on the face under the hat
+            p.host = above
+            p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
+
+    def _outfit(self) -> bool:
+        """Whether the parts are clothes for a doll that is not made here: no head, no face, and something worn, or a title that says so."""
+        kinds = {kind for p in self.parts for kind in p.kinds}
+        if self.heard.features or kinds & {"head", "face", "eye", "ear", "muzzle", "nose", "beak"}:
+            return False
+        limbs = kinds & {"arm", "tail", "wing", "fin", "horn"}
+        return _CLOTHES.search(self.text.lstrip().split("\n")[0]) is not None or ("worn" in kinds and not limbs)

@@ -1,0 +1,171 @@
+"""What parts are sewn to: shoes to the ends of legs, flowers over the hat, soil inside its pot, limbs side by side; clothes are no toy."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.sound import faults
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.printed.pattern import read_printed
+
+BALL = """{0}
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-10: sc around (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+Rnd 12: (sc, dec) x 6 (12)
+Stuff. Fasten off, leaving a long tail for sewing.
+
+"""
+LIMB = """{0}
+Rnd 1: 6 sc in MR (6)
+Rnd 2: (sc, inc) x 3 (9)
+Rnds 3-8: sc around (9)
+Fasten off, leaving a long tail for sewing.
+
+"""
+ROWS = """{0}
+Ch 9.
+Row 1: sc in 2nd ch from hook, sc in next 7 ch, turn (8)
+Rows 2-10: ch 1, sc in each st, turn (8)
+Fasten off.
+
+"""
+DISC = """{0}
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Fasten off, leaving a long tail for sewing.
+
+"""
+CAP = """HAT
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-7: sc around (24)
+Fasten off.
+
+"""
+POT = """POT
+In brown.
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: sc in BLO around (24)
+Rnds 6-12: sc around (24)
+Fasten off.
+
+SOIL
+In brown.
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Fasten off, leave a tail for sewing.
+
+CACTUS
+In green.
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnds 3-14: sc around (12)
+Fasten off leaving a long end. Stuff.
+
+"""
+MAKE_UP = (
+    "Sew the open end of the cactus to the centre of the soil. Sew the soil inside the pot at round 10. "
+    "Attach the eyes between rounds 9 and 10, 4 stitches apart, and embroider a little mouth in black between them."
+)
+
+
+def read(body: str, sentences: str, title: str = "Toy"):
+    return read_printed(Text(f"{title}\n\n{body}FINISHING\n{sentences}\n", "toy.txt"))
+
+
+def placed(pattern) -> dict[str, Placed]:
+    return {r.part: r for r in pattern.finish if isinstance(r, Placed)}
+
+
+def test_shoes_without_a_place_are_at_the_ends_of_the_legs_and_not_on_the_hips() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + LIMB.format("LEGS (make 2)") + DISC.format("SANDALS (make 2)")
+    found = placed(read(body, "Sew the head to the body. Sew the legs to the bottom of the body.", "Doll"))
+    assert [found[f"SANDALS.{k}"].spot.part for k in (1, 2)] == ["LEGS.1", "LEGS.2"]
+    assert all(found[f"SANDALS.{k}"].spot.round < 1 for k in (1, 2))  # at the tip, where the leg begins
+
+
+def test_a_flower_for_the_head_is_on_the_hat_over_it() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + CAP + DISC.format("FLOWER")
+    found = placed(read(body, "Sew the head to the body. Sew the hat to the head. Sew the flower to the head.", "Doll"))
+    assert found["FLOWER"].spot.part == "HAT" and found["HAT"].spot.part == "HEAD"
+
+
+def test_a_head_sewn_to_a_body_in_rows_is_on_its_edge() -> None:
+    """A piece in rows has no opening: the head was left out, and lay beside the toy."""
+    pattern = read(BALL.format("HEAD") + ROWS.format("BODY"), "Sew the head to the top of the body.", "Doll")
+    found = placed(pattern)
+    assert not any("left out" in p.message for p in pattern.unread)
+    spot = next(iter(found.values())).spot
+    assert {r.part for r in found.values()} | {spot.part} == {"HEAD", "BODY"}
+
+
+@pytest.mark.parametrize("title", ["Doll Outfit", "Party clothes"])
+def test_clothes_for_a_doll_that_is_not_made_here_are_not_sewn_to_each_other(title: str) -> None:
+    body = ROWS.format("BODY") + ROWS.format("SKIRT") + LIMB.format("BOOTS (make 2)")
+    assert not placed(read(body, "Sew a button to the back.", title))
+    assert placed(read(body.replace("SKIRT", "TAIL") + BALL.format("HEAD"), "Sew the head to the body.", "Puppy"))
+
+
+def test_legs_sewn_four_on_each_side_stand_beside_each_other() -> None:
+    body = BALL.format("HEAD AND BODY") + LIMB.format("LEGS (make 8)")
+    found = placed(read(body, "Sew legs to body, 4 on each side under the eyes.", "Lobster"))
+    spots = [(r.spot.round, r.spot.stitch) for name, r in found.items() if name.startswith("LEGS")]
+    assert len(spots) == 8 == len(set(spots))
+
+
+def test_what_is_sewn_to_clothes_that_lie_beside_the_toy_is_not_in_the_air() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + LIMB.format("ARMS (make 2)") + ROWS.format("SCARF")
+    found = placed(read(body, "Sew the head to the body. Place arms inside the scarf and sew in place.", "Doll"))
+    assert found["ARMS.1"].spot.part == "BODY"
+
+
+def test_one_flower_here_and_two_there() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + DISC.format("FLOWER (make 3)")
+    sentence = "Sew one flower to the head at round 3, and two flowers to the body at round 6."
+    found = placed(read(body, f"Sew the head to the body. {sentence}", "Doll"))
+    assert [found[f"FLOWER.{k}"].spot.part for k in (1, 2, 3)] == ["HEAD", "BODY", "BODY"]
+
+
+def test_two_arms_with_rounds_of_their_own_are_on_the_part_that_is_named_and_point_both_up() -> None:
+    body = BALL.format("BODY") + LIMB.format("ARM (make 2)")
+    sentence = (
+        "Sew one arm to the left side of the body over rounds 6-9 and the other to the right side over rounds 4-7"
+    )
+    found = placed(read(body, f"{sentence}, both pointing up.", "Cactus"))
+    plain = placed(read(body, f"{sentence}.", "Cactus"))
+    assert [found[f"ARM.{k}"].spot.round for k in (1, 2)] == [7.5, 5.5]
+    assert all(r.towards < 90 or r.towards > 270 for r in found.values())
+    assert any(90 < r.towards < 270 for r in plain.values())
+
+
+@pytest.mark.slow
+def test_a_cactus_stands_upright_in_its_pot_with_the_soil_inside() -> None:
+    text = Text(f"Cactus in a Pot\n\n{POT}To make up\n{MAKE_UP}\n", "cactus.txt")
+    piece = make(text, CrochetParams(tolerance=0.2), Progress())
+    graph, spots, x = piece.built.graph, Spots(piece.built), piece.positions / piece.stitch[0]
+    own = {name: x[graph.parts[k].start : graph.parts[k].end] for name, k in spots.parts.items()}
+    pot, soil, cactus = own["POT"], own["SOIL"], own["CACTUS"]
+    assert pot[:, 1].min() < soil[:, 1].mean() < pot[:, 1].max()
+    assert np.ptp(soil[:, 1]) < 0.4 * np.ptp(soil[:, 0])  # it lies level
+    assert cactus[:, 1].min() > soil[:, 1].mean() - 1.0 and cactus[:, 1].max() > pot[:, 1].max() + 3.0
+    assert not faults(piece.built, piece.positions, range(len(graph.parts)), piece.upright)
+    faces = [r for r in piece.built.pattern.finish if isinstance(r, (Eye, Embroidery))]
+    assert faces and {(r.spot if isinstance(r, Eye) else r.spots[0]).part for r in faces} == {"CACTUS"}
+    eyes = [r.spot.round for r in faces if isinstance(r, Eye)]
+    mouth = [s.round for r in faces if isinstance(r, Embroidery) for s in r.spots]
+    assert min(mouth) > max(eyes)  # worked from its top: further on is below
