@@ -6,9 +6,11 @@ import pytest
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.sound import faults
+from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.params import CrochetParams
+from tambour.crochet.places.stand import Host, Stand, numbers_of
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
 
@@ -105,25 +107,25 @@ def test_a_flower_for_the_head_is_on_the_hat_over_it() -> None:
     assert found["FLOWER"].spot.part == "HAT" and found["HAT"].spot.part == "HEAD"
 
 
-def test_a_head_sewn_to_a_body_in_rows_is_on_its_edge() -> None:
-    """A piece in rows has no opening: the head was left out, and lay beside the toy."""
-    pattern = read(BALL.format("HEAD") + ROWS.format("BODY"), "Sew the head to the top of the body.", "Doll")
-    found = placed(pattern)
-    assert not any("left out" in p.message for p in pattern.unread)
-    spot = next(iter(found.values())).spot
-    assert {r.part for r in found.values()} | {spot.part} == {"HEAD", "BODY"}
+def test_the_ends_of_a_piece_in_rows_are_its_edges() -> None:
+    """It has no opening: a head put there was left out, and lay beside the toy."""
+    built = build(read(ROWS.format("HEAD") + ROWS.format("BODY"), "Sew the head to the body.", "Doll"))
+    stand = Stand(Spots(built))
+    host = Host(stand, "BODY", *numbers_of(stand.spots, stand.spots.parts["BODY"]))
+    ends = [host.pole(way) for way in (host.axis, -host.axis)]
+    assert [spot.round for spot in ends if spot is not None and stand.there(spot)] == [host.high, host.low]
 
 
 @pytest.mark.parametrize("title", ["Doll Outfit", "Party clothes"])
 def test_clothes_for_a_doll_that_is_not_made_here_are_not_sewn_to_each_other(title: str) -> None:
-    body = ROWS.format("BODY") + ROWS.format("SKIRT") + LIMB.format("BOOTS (make 2)")
+    body = ROWS.format("BODY") + ROWS.format("FIN") + LIMB.format("BOOTS (make 2)")
     assert not placed(read(body, "Sew a button to the back.", title))
-    assert placed(read(body.replace("SKIRT", "TAIL") + BALL.format("HEAD"), "Sew the head to the body.", "Puppy"))
+    assert placed(read(body, "Sew a button to the back.", "Puppy"))
 
 
 def test_legs_sewn_four_on_each_side_stand_beside_each_other() -> None:
-    body = BALL.format("HEAD AND BODY") + LIMB.format("LEGS (make 8)")
-    found = placed(read(body, "Sew legs to body, 4 on each side under the eyes.", "Lobster"))
+    body = BALL.format("HEAD AND BODY") + LIMB.format("ARMS (make 2)") + LIMB.format("LEGS (make 8)")
+    found = placed(read(body, "Sew the arms to the sides of the body. Sew 8 legs on each side under arms.", "Lobster"))
     spots = [(r.spot.round, r.spot.stitch) for name, r in found.items() if name.startswith("LEGS")]
     assert len(spots) == 8 == len(set(spots))
 
@@ -134,23 +136,24 @@ def test_what_is_sewn_to_clothes_that_lie_beside_the_toy_is_not_in_the_air() -> 
     assert found["ARMS.1"].spot.part == "BODY"
 
 
-def test_one_flower_here_and_two_there() -> None:
+def test_two_flowers_here_and_one_there() -> None:
     body = BALL.format("HEAD") + BALL.format("BODY") + DISC.format("FLOWER (make 3)")
-    sentence = "Sew one flower to the head at round 3, and two flowers to the body at round 6."
+    sentence = "Sew two flowers to the head at round 3, and one flower to the body at round 6."
     found = placed(read(body, f"Sew the head to the body. {sentence}", "Doll"))
-    assert [found[f"FLOWER.{k}"].spot.part for k in (1, 2, 3)] == ["HEAD", "BODY", "BODY"]
+    assert [found[f"FLOWER.{k}"].spot.part for k in (1, 2, 3)] == ["HEAD", "HEAD", "BODY"]
 
 
 def test_two_arms_with_rounds_of_their_own_are_on_the_part_that_is_named_and_point_both_up() -> None:
-    body = BALL.format("BODY") + LIMB.format("ARM (make 2)")
+    body = BALL.format("HEAD") + BALL.format("CACTUS") + LIMB.format("ARM (make 2)")
     sentence = (
-        "Sew one arm to the left side of the body over rounds 6-9 and the other to the right side over rounds 4-7"
+        "Sew one arm to the left side of the cactus over rounds 6-9 and the other to the right side over rounds 4-7"
     )
     found = placed(read(body, f"{sentence}, both pointing up.", "Cactus"))
     plain = placed(read(body, f"{sentence}.", "Cactus"))
-    assert [found[f"ARM.{k}"].spot.round for k in (1, 2)] == [7.5, 5.5]
-    assert all(r.towards < 90 or r.towards > 270 for r in found.values())
-    assert any(90 < r.towards < 270 for r in plain.values())
+    arms = [found[f"ARM.{k}"] for k in (1, 2)]
+    assert [(r.spot.part, r.spot.round) for r in arms] == [("CACTUS", 7.5), ("CACTUS", 5.5)]
+    assert all(r.towards < 90 or r.towards > 270 for r in arms)
+    assert any(90 < plain[r.part].towards < 270 for r in arms)
 
 
 @pytest.mark.slow

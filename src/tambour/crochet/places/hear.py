@@ -303,14 +303,14 @@ class Heard:
         part, said = mention.copies[0][0], _COUNTED.search(low[: mention.start])
         many = int(number(said[1])) if said else 0
         if (
-            not 0 < many < len(mention.copies)
+            not 0 < many < part.copies
             or part.copies < 3
+            or len({p for p, _ in mention.copies}) > 1
             or _EACH.search(low)
-            or part.copies != len(mention.copies)
         ):
             return mention.copies
         given = {c for p in self.puts for c in p.copies}
-        free = [c for c in mention.copies if c not in given]
+        free = [(part, k) for k in range(1, part.copies + 1) if (part, k) not in given]
         return tuple(free[:many]) if len(free) >= many else mention.copies
 
     def _just_closed(self, sentence: Sentence) -> list[Mention]:
