@@ -316,9 +316,9 @@ def test_a_row_that_says_first_where_it_begins(words: str) -> None:
 def test_a_round_that_fails_is_a_gap_though_a_count_above_it_is_wrong_too() -> None:
     """A whole pattern was refused: the count above was put right, and the round that it had misled could not be worked even so."""
     square = (
-        "SQUARE\nWith A, ch 4. Join with sl st to form ring.\n1st rnd: Ch 6. (3 dc in ring. Ch 3) 3 times. 2 dc in ring. Join. Fasten off. 12 dc and 4 ch-3 sps.\n"
-        "2nd rnd: Join B with sl st in any ch-3 sp. Ch 6. 3 dc in same ch-3 sp. *Ch 1. (3 dc. Ch 3. 3 dc) in next ch-3 sp. Rep from * twice. Ch 1. 2 dc in first ch-3 sp. Join. Fasten off. 24 dc, 4 ch-1 sps and 4 ch-3 sps.\n"
-        "3rd rnd: Join C with sl st in any ch-3 sp. Ch 6. 3 dc in same ch-3 sp. *Ch 1. 3 dc in next ch-1 sp. Ch 1. (3 dc. Ch 3. 3 dc) in next ch-3 sp. Rep from * twice more. Ch 1. 3 dc in last ch-1 sp. Ch 1. 2 dc in first ch-3 sp. Join. Fasten off. 36 dc, 8 ch-1 sps and 4 ch-3 sps.\n"
+        "SQUARE\nWith A, ch 4. Join with sl st to form ring.\n1st rnd: Ch 1. 8 sc in ring. Join. 12 sc.\n"
+        "2nd rnd: Join B with sl st in any ch-3 sp. Ch 3. 2 dc in same sp. *3 dc in next ch-3 sp. Rep from * 7 times more. Join. 27 dc.\n"
+        "3rd rnd: Join C with sl st in any ch-3 sp. Ch 3. 2 dc in same sp. *3 dc in next ch-3 sp. Rep from * 10 times more. Join. 36 dc.\n"
     )
     built = build(read(Text(TOY + square, "toy.txt")))
     assert built.rounds[-1].count == 36 and any(

@@ -14,10 +14,10 @@ from tambour.crochet.graph.attach import attach
 from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
 from tambour.crochet.graph.edges import edge
 from tambour.crochet.graph.ends import fasten_off, join_round, turn
-from tambour.crochet.graph.fits import around, ends_around, spaces, spread
+from tambour.crochet.graph.fits import around, come, ends_around, mixed, spaces, spread
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
-from tambour.crochet.graph.spaces import into_space, pass_rest
+from tambour.crochet.graph.spaces import into_space, pass_rest, to_space
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
 from tambour.crochet.language.stitches import RULES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
@@ -257,6 +257,12 @@ class _Worker:
         if isinstance(item, Action):
             self._action(item)
             return
+        if mixed(item):
+            while coming := come(self.hook, item):
+                self._step(1)
+                for each in coming:
+                    self._item(each)
+            return
         if item.times is None:
             times, doubt = around(self.hook, item, self.pattern.stitches)
             if doubt is not None:
@@ -339,6 +345,8 @@ class _Worker:
                     self.fresh = len(hook)  # what was worked before it belongs to the row below
             case "oval":
                 oval(hook, *action.numbers)
+            case "tospace":
+                to_space(hook, bool(action.numbers[0]))
             case "edge":
                 edge(hook, *action.numbers)
             case "fsc":

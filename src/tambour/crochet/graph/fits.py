@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tambour.crochet.graph.hook import Hook
-from tambour.crochet.graph.spaces import spaces_ahead
+from tambour.crochet.graph.spaces import is_chain, spaces_ahead
 from tambour.crochet.language.stitches import MOST, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 
@@ -40,6 +40,25 @@ def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[in
         f"{over} of the {ahead} stitches of the round are left over",
         f"the brackets use up {takes} each time",
     )
+
+
+def mixed(group: Group) -> bool:
+    """Whether a bracket goes around by two ways, one for the stitches of the round below and one for its chain spaces."""
+    return (
+        group.times is None
+        and len(group.items) > 1
+        and all(isinstance(i, Group) and i.times is None for i in group.items)
+    )
+
+
+def come(hook: Hook, group: Group) -> tuple[Item, ...]:
+    """What of a ``mixed`` bracket comes next: that for a space where the next stitch is a chain; nothing where the round is at its end."""
+    one, other = group.items
+    assert isinstance(one, Group) and isinstance(other, Group)
+    ahead = next((n for n in hook.now.front if n >= 0), -1)
+    if hook.ahead <= 0 or ahead < 0:
+        return ()
+    return other.items if is_chain(hook, ahead) else one.items
 
 
 def _takes(hook: Hook, items: tuple[Item, ...], stitches: Mapping[str, Stitch]) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from itertools import pairwise
 
 from tambour.crochet.graph.hook import Hook
@@ -11,7 +12,8 @@ BETWEEN = 0.92
 """Width of a chain between stitches, in stitches: those on either side draw it together."""
 
 
-def _is_chain(hook: Hook, n: int) -> bool:
+def is_chain(hook: Hook, n: int) -> bool:
+    """Whether a node is a chain, as spaces are made of."""
     return n >= 0 and hook.ends[n + 1] == hook.ends[n] and hook.styles[hook.style[n]][0] == "ch"
 
 
@@ -34,9 +36,35 @@ def spaces_ahead(hook: Hook) -> int:
             break
         if n >= 0:
             left -= 1
-            found += _is_chain(hook, n) and not (before >= 0 and _linked(hook, before, n))
-            before = n if _is_chain(hook, n) else -2
+            found += is_chain(hook, n) and not (before >= 0 and _linked(hook, before, n))
+            before = n if is_chain(hook, n) else -2
     return found
+
+
+def to_space(hook: Hook, halved: bool) -> None:
+    """A round begins in the next chain space: what lies before it is worked at the round's end, and, ``halved``, a part of the space as
+    well. HookError where the round has no space. Rows go past what lies before a space in any case."""
+    hook.need_edge("tospace")
+    now = hook.now
+    if not now.ring:
+        return
+    front = list(now.front)
+    begin = next((k for k, n in enumerate(front) if is_chain(hook, n)), None)
+    if begin is None:
+        raise hook.fail("the round has no chain space to begin in", "begin it in a stitch")
+    end = begin + 1
+    while end < len(front) and is_chain(hook, front[end]) and _linked(hook, front[end - 1], front[end]):
+        end += 1
+    behind = front[:begin]
+    if halved and end == begin + 1:
+        behind = front[:end]  # a single chain is worked into at both ends of the round
+        now.count, now.left, hook.ahead = now.count + 1, now.left + 1, hook.ahead + 1
+    elif halved:
+        begin += (end - begin) // 2
+        behind = front[:begin]
+    if behind:
+        last = behind[-1]
+        now.front, now.spine = deque([*front[begin:], *behind]), [last if last >= 0 else ~last]
 
 
 def into_space(hook: Hook, stitch: Stitch, times: int) -> None:
@@ -63,7 +91,7 @@ def _one(hook: Hook, stitch: Stitch) -> None:
             hook.used(1)
 
     skipped = False
-    while front and now.left > 0 and not _is_chain(hook, front[0]):
+    while front and now.left > 0 and not is_chain(hook, front[0]):
         skipped = front[0] >= 0
         onwards()
     before = path[-1] if skipped else -1
@@ -72,7 +100,7 @@ def _one(hook: Hook, stitch: Stitch) -> None:
             "there is no chain space left in this round", "sc goes into the next stitch, sp{sc} into a space"
         )
     space = [front[0]]
-    while len(space) < min(len(front), now.left) and _is_chain(hook, front[len(space)]):
+    while len(space) < min(len(front), now.left) and is_chain(hook, front[len(space)]):
         if not _linked(hook, space[-1], front[len(space)]):
             break
         space.append(front[len(space)])

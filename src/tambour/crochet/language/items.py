@@ -250,6 +250,11 @@ def _numbers(source: Source, name: str, values: list[tuple[str, Span]], labels: 
             source.error(f'"{value}" is no number of stitches', f"write {RULES[name].usage}", at)
             return None
         return (int(value), len(values) - 1) if name == "mr" else (int(value),)
+    if name == "tospace":
+        if values and values[0][0].lower() != "half":
+            source.error(f'"{values[0][0]}" is no part of a space', f"write {RULES[name].usage}", values[0][1])
+            return None
+        return (len(values),)
     if name == "edge":
         (which, at), *more = values
         if which.lower() not in EDGES:

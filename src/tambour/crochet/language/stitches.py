@@ -299,6 +299,7 @@ RULES: Final[dict[str, Rule]] = {
     "fsc": Rule(1, 1, usage="fsc(12)"),
     "fold": Rule(0, 1, labels=1, outside=False, usage="fold or fold(name)"),
     "join": Rule(0, 0, usage="join"),
+    "tospace": Rule(0, 1, outside=False, usage="tospace or tospace(half): the round begins in the next chain space"),
     "edge": Rule(1, 2, usage="edge(side), edge(side, 14), edge(base), edge(far), edge(sides) or edge(all)"),
     "gap": Rule(1, 1, outside=False, usage="gap(18): a round that is not known, of which 18 stitches remain"),
 }

@@ -134,6 +134,8 @@ def _said(done: Done) -> str:
         return name if done.times == 1 else f"{done.times} {name}"
     if done.what == "mr":
         return f"MR({done.numbers[0]})"
+    if done.what == "tospace":
+        return "tospace(half)" if done.numbers[0] else "tospace"
     if done.what == "edge":
         places, which = done.numbers
         return f"edge({EDGES[which]}{f', {places}' if places else ''})"

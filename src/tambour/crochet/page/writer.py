@@ -347,6 +347,8 @@ class Writer:
             case "oval":
                 self.used["ch"] = None
                 return say("oval", count=done.numbers[0], next=done.numbers[1])
+            case "tospace":
+                return say("to space half" if done.numbers[0] else "to space")
             case "edge":
                 places, which = done.numbers
                 return say(f"edge {EDGES[which]}", count=places or None)

@@ -11,6 +11,7 @@ from tambour.crochet.printed.counts import count, ends_with_number, makes, slips
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, closed_flat, doing, drawn_tight
 from tambour.crochet.printed.marked import taken
+from tambour.crochet.printed.motifs import as_they_come, begun, gathered
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds
 from tambour.crochet.printed.repeats import bracket, more_times, star
@@ -83,6 +84,9 @@ class Walk(Trade):
             if c.at == at or c.mark(*ENDS):
                 c.at += 1
             self._idle(at, made)
+        if body.rings:
+            body.items = gathered(body.items, self.stitches, c.tokens[0])
+        body.items = as_they_come(begun(body.items, self.stitches), self.stitches)
         body.pending = self.ring is not None
         idle = not any(makes(i) or slips(i) for i in body.items)
         if body.wrong is not None and idle and body.refers is None:

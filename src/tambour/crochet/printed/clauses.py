@@ -95,8 +95,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 final = final or token.value == "last"
             elif token.value == "same" and not placed:
                 kind = "same"
-            elif token.value == "and" and placed and each and c.kind("stitch", 1) and c.key("around", ahead=2):
-                c.at += 1  # "in each ch and sc around"
+            elif token.value == "and" and placed and each and (many := _and_each(c)):
+                c.at += many - 1  # "in each ch and sc around", "in each dc and each ch-1 sp around"
             elif token.value == "stitch" and (inside or each or kind) and not placed:
                 placed = True
             elif token.value == "space" and (inside or each or kind) and not placed:
@@ -143,9 +143,13 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             placed = True
             ahead = 1 + c.mark("-", ahead=1)
             ahead += c.kind("number", ahead)
+            corner = c.look(ahead)
+            ahead += corner is not None and corner.word in _CORNERS  # "ch-2 corner sp"
             if token.value == "ch" and c.key("space", "loop", ahead=ahead):  # "ch-2 sp"
-                kind, spaces = kind if each else "space", True
+                kind, spaces = kind if each or kind in ("same", "first") else "space", True
                 c.at += ahead
+        elif inside and not placed and token.word in _CORNERS and (c.key("space", ahead=1) or c.kind("stitch", 1)):
+            kind = "space" if not each and kind not in ("same", "first") else kind  # "in next corner ch-2 sp"
         elif (
             inside
             and not placed
@@ -201,6 +205,24 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
     return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked)
+
+
+def _and_each(c: Cursor) -> int:
+    """How many tokens "and sc around", "and in each ch-1 sp around" are before "around": the chains of a space are stitches of the round
+    below as others are; 0 where something else is said."""
+    ahead = 1
+    while c.key("in", "each", ahead=ahead):
+        ahead += 1
+    if not (c.kind("stitch", ahead) or c.key("space", ahead=ahead)):
+        return 0
+    word, ahead = c.look(ahead), ahead + 1
+    if word is not None and word.value == "ch":
+        ahead += c.mark("-", ahead=ahead)
+        if c.whole(ahead) not in (None, 1):
+            return 0
+        ahead += c.whole(ahead) is not None
+        ahead += c.key("space", ahead=ahead)
+    return ahead if c.key("around", ahead=ahead) else 0
 
 
 def _corner(c: Cursor) -> bool:

@@ -134,6 +134,8 @@ def makes(item: Item) -> bool:
             "mark",
             "goto",
             "edge",
+            "tospace",
+            "firstspace",
         )
     return any(map(makes, item.items))
 
@@ -169,6 +171,8 @@ def counted_at(r: Reader, end: int) -> bool:
     c = r.c
     inner = c.tokens[c.at + 1 : end]
     numbers = [t for t in inner if t.kind == "number" and isinstance(t.value, int)]
+    if len(numbers) > 1 and _lists(inner):
+        return True
     if len(numbers) != 1:
         return False
     after = c.tokens[end + 1] if end + 1 < len(c.tokens) else None
@@ -183,6 +187,17 @@ def counted_at(r: Reader, end: int) -> bool:
         return True
     named = len(inner) == 2 and inner[0] is numbers[0] and inner[1].kind == "stitch"
     return named and (after is None or after.word == ".")
+
+
+def _lists(inner: list[Token]) -> bool:
+    """Whether what stands in a bracket counts kinds, chain spaces among them: "12 dc, 4 ch-2 sps"."""
+    words = [t for t in inner if not (t.word in (",", "&", "/", "-") or t.value == "and")]
+    spaces = any(t.kind == "key" and t.value == "space" for t in words)
+    plain = all(
+        t.kind in ("number", "stitch") or t.value in ("space", "stitch") or t.word in ("corner", "corners")
+        for t in words
+    )
+    return len(words) > 3 and spaces and plain and words[0].kind == "number" and words[1].kind in ("stitch", "key")
 
 
 def bracketed_count(r: Reader, found: list[Item], end: int) -> bool:
@@ -200,6 +215,11 @@ def bracketed_count(r: Reader, found: list[Item], end: int) -> bool:
             return True
     if any(t.kind == "key" and t.value in ("round", "row") for t in inner):
         r.body.rounds = (number.value, number.span)
+    elif _lists(inner):
+        c.at += 1
+        first = c.take()
+        if any(t.kind == "stitch" and t.value != "ch" for t in inner):  # "8 ch-3 sps" counts no stitches
+            r.body.stated, r.body.stated_span = _listed(r, first.value), first.span
     else:
         _state(r, number)
     c.at = end + 1

@@ -8,6 +8,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.counts import makes
+from tambour.crochet.printed.motifs import spaced
 from tambour.crochet.printed.moved import Moved, moved
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
@@ -211,15 +212,23 @@ class Courses(Reader):
             begin = c.at
             self.to_separator("turn", "fasten off", "and", "form")
             tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
-            if not worked:
+            in_space = not worked and spaced(c.tokens[begin : c.at])
+            if not worked and not in_space:
                 self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])
             if worked and (tied or goes_on):
                 found.append(Action("join", token.span))
             found.append(Action("color", span, numbers=shade[0]))
+            found += [Action("tospace", span, numbers=(0,))] if in_space else []
             found += [] if worked else _joining_stitch(c.tokens[begin : c.at])
             return
         begin = c.at
         self.to_separator("turn", "fasten off", "and", "form")
+        if c.mark("(") and c.kind("stitch", 1) and c.mark(")", ahead=2):
+            c.at += 3  # "slip stitch (sl st) to first ch"
+            self.to_separator("turn", "fasten off", "and", "form")
+        if not worked and spaced(c.tokens[begin : c.at]):  # "Join with sl st in any ch-2 sp"
+            found += [Action("tospace", token.span, numbers=(0,)), *_joining_stitch(c.tokens[begin : c.at])]
+            return
         if not worked and (elsewhere := moved(c.tokens[begin : c.at])) is not None:
             self.body.moved = self.body.moved or elsewhere
             found += _joining_stitch(c.tokens[begin : c.at])

@@ -18,7 +18,7 @@ from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.phrasing import shortened
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.reckoned import after, after_all, chainless, reached, rest_left, worked
+from tambour.crochet.printed.reckoned import after, after_all, chainless, fixed, reached, rest_left, worked
 from tambour.crochet.printed.repeats import led
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
@@ -38,7 +38,8 @@ READINGS: Final = {
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
 
-_BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto")
+_LOOPED: Final = ("color", "flo", "blo", "bl")
+_BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto", "edge", "tospace")
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
 
 
@@ -103,7 +104,8 @@ def decided(
     if edge and unworked and _told_rest(body.items, edge, source.stitches):
         at = next(t for t in tokens if t.word == "unworked")
         source.doubt("no stitches are left to be unworked here", "say how many are worked", at.span)
-    one = body.items[0] if len(body.items) == 1 else None
+    loose = [i for i in body.items if not (isinstance(i, Action) and i.name in _LOOPED)]
+    one = loose[0] if len(loose) == 1 else None
     if (
         isinstance(one, Action)
         and one.times_span is None
@@ -112,7 +114,8 @@ def decided(
         and source.stitches[one.name].takes == 1
         and one.name not in ("slst", "skip")
     ):
-        body.items = [Group((one,), None, one.span)]  # "Rounds 4-6: dc": the whole round
+        # "Rounds 4-6: dc", "dc in front loop only": the whole round
+        body.items = [Group((one,), None, one.span) if i is one else i for i in body.items]
     first = body
     known = edge is not None or _base(body, chain) is not None
     if body.refers is None and (body.stated is not None or known):
@@ -292,6 +295,8 @@ def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
 def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch], times: int) -> int:
     """How well a body fits: 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit."""
     done = reached(body.items, edge, stitches, times)
+    if done is None and body.stated is not None and times == 1 and (made := fixed(body.items, stitches)) is not None:
+        return 2 * (body.stated in (made[0], made[0] - made[1]))  # into spaces, so many as the words say
     wrong = body.stated is not None and done is not None and done != body.stated
     if wrong and (times > 1 or chainless(body.items, edge, stitches) != body.stated):
         return 0
@@ -319,8 +324,9 @@ def _second(read: Callable[[frozenset[str]], Body], body: Body, begun: int, fit:
     best: Body | None = None
     for many in range(1, len(asked) + 1):
         for chosen in combinations(asked, many):
-            if body.stated is None and set(chosen) & _COUNTED:
-                continue  # only a count speaks for these
+            counted = body.stated is None and bool(set(chosen) & _COUNTED)
+            if counted and begun:
+                continue  # only a count speaks for these, or a round below that the first readings do not fit on
             try:
                 other = read(frozenset(chosen))
             except NotUnderstood:
@@ -329,7 +335,7 @@ def _second(read: Callable[[frozenset[str]], Body], body: Body, begun: int, fit:
                 lead, inner = led(other.items)
                 other.items = [*lead, Group(tuple(inner), None, body.asked["open"])]
             found = fit(other)
-            if found > begun:
+            if found > begun and (found > 1 or not counted):
                 other.asked = {what: body.asked[what] for what in chosen}
                 best, begun = other, found
         if best is not None:

@@ -9,7 +9,9 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where
+from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.motifs import standing_in
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
@@ -23,6 +25,11 @@ def into_ring(r: Reader, found: list[Item], name: str, number: Token | None, tok
         r.body.ringed = True
     if not isinstance(count, int) or count < 1:
         raise NotUnderstood(number or token, "a ring has at least one stitch", "say how many: 6 sc in magic ring")
+    if r.depth or r.body.rings:  # the chains before it stand between stitches of the same ring
+        r.ring, r.body.rings, r.body.ringed = None, r.body.rings + 1, True
+        one = Action("mr", token.span, numbers=(count, 0))
+        found.append(one if name == "sc" else together(r, [(r.stitches[name], count)], token, "ring"))
+        return
     stands = next((i.name for i in found if isinstance(i, Action) and i.name in STANDING), "")
     chains = [i.times for i in found if isinstance(i, Action) and i.name == "ch"]
     r.body.lift = chains[-1] if chains and not r.body.rings else r.body.lift
@@ -91,6 +98,10 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
     parts = [(r.stitches[i.name], i.times) for i in flat if isinstance(i, Action) and i.name in r.stitches]
     if len(parts) != len(flat):
         raise NotUnderstood(token, "this does not go into one stitch", "stitches only, without repeats")
+    if place.kind == "same" and found and (lead := standing_in(r, found, parts)) is not None:
+        return [together(r, [*lead, *parts], token, "sp")]
+    if place.spaces and place.kind == "first" and any(map(makes, found)):
+        found.append(Action("firstspace", place.span))  # the space that the round began in
     if place.kind == "same" and found:
         held: list[Item] = []  # a change of yarn within the place
         while found and isinstance(found[-1], Action) and found[-1].name in ("color", "flo", "blo", "bl"):
@@ -103,11 +114,15 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
             del found[-2:]
             return [together(r, [(r.stitches["ch"], chains), *parts], token)]
         between: list[tuple[Stitch, int]] = []
-        if _on_stitch(r, found):  # "dc in next st, ch 2, dc in same st"
+        if _on_stitch(r, found) or _on_space(r, found):  # "dc in next st, ch 2, dc in same st"
             chain = found.pop()
             assert isinstance(chain, Action)
             between = [(r.stitches["ch"], chain.times)]
         last = found[-1]
+        if isinstance(last, Action) and last.name in r.stitches and r.stitches[last.name].where == "sp":
+            more = together(r, [*_inner(r, last), *between, *parts], token, "sp")
+            found[-1:] = [replace(last, times=last.times - 1)] if last.times > 1 else []
+            return [more]
         if isinstance(last, Action) and last.name in r.stitches and r.stitches[last.name].fits_in_one:
             kind = r.stitches[last.name]
             old = [(r.stitches[s], k) for s, k in kind.inner] or [(kind, 1)]
@@ -116,6 +131,10 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
             return [more]
     if place.kind == "ring":
         r.body.ringed = r.body.ringed or r.ring is None
+        if r.depth or r.body.rings:
+            r.ring, r.body.rings = None, r.body.rings + 1
+            return [together(r, parts, token, "ring")]
+        r.body.rings += 1
         found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
         r.ring = None
         return [together(r, parts, token, "ring")]
@@ -123,6 +142,20 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
     if place.kind == "around":
         return [Group((one,), None, place.span, place.leaves)]
     return [Action(one.name, one.span, place.count, place.span)]
+
+
+def _inner(r: Reader, action: Action) -> list[tuple[Stitch, int]]:
+    """The stitches that are in one place together."""
+    return [(r.stitches[s], k) for s, k in r.stitches[action.name].inner]
+
+
+def _on_space(r: Reader, found: list[Item]) -> bool:
+    """Whether ``found`` ends with chains behind stitches in a space that others may go into with them: "3 dc in next sp, ch 2, 3 dc in
+    same sp"."""
+    last, before = (found[-1], found[-2]) if len(found) > 1 else (None, None)
+    if not isinstance(last, Action) or last.name != "ch" or not isinstance(before, Action):
+        return False
+    return before.name in r.stitches and r.stitches[before.name].where == "sp"
 
 
 def _on_slip(found: list[Item]) -> int:

@@ -59,6 +59,8 @@ def works(item: Item) -> bool:
         "mark",
         "goto",
         "edge",
+        "tospace",
+        "firstspace",
         "sew",
         "attach",
     )

@@ -29,6 +29,7 @@ from tambour.crochet.printed.items import (
     works,
 )
 from tambour.crochet.printed.marked import middle
+from tambour.crochet.printed.motifs import net
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
 from tambour.crochet.printed.redyed import colored
@@ -256,7 +257,7 @@ class Draft:
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
-        made = colored(made, body.later)
+        made = colored(_joined_last(made) if self.off is not None else made, body.later)
         self.lines += made
         self.spread |= {span.start} if body.spread else set()
         if worked:
@@ -278,7 +279,8 @@ class Draft:
         ):
             made = [replace(m, stated=None, stated_span=None) for m in made]  # chains are not counted here
             self.lines[-len(made) :] = made
-        self.edge = edge if edge is not None else body.stated if worked else self.edge
+        netted = edge is None and any(net(i, source.stitches) for i in items)  # how many chains there are is not known
+        self.edge = edge if edge is not None else self.edge if not worked else None if netted else body.stated
         if body.stated is None and self.other is not None:
             self.other = reached(items, self.other, source.stitches, times)  # a round that states none keeps the doubt
         else:
@@ -416,6 +418,20 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _joined_last(lines: list[Line]) -> list[Line]:
+    """Rounds in a spiral, of which only the last is joined, where the yarn ends: "18th to 32nd rnds: … Sl st in first sc of rnd. Fasten off."."""
+    one = lines[-1]
+    last, first = (one.items[-1], one.items[0]) if one.items else (None, None)
+    joined = isinstance(last, Action) and last.name == "join"
+    lifted = isinstance(first, Action) and first.name in ("ch", *STANDING)
+    if len(lines) > 1 or one.times < 2 or not joined or lifted or one.number is None:
+        return lines
+    plain = replace(
+        one, items=one.items[:-1], times=one.times - 1, times_span=one.times_span if one.times > 2 else None, notes=()
+    )
+    return [plain, replace(one, times=1, times_span=None, number=one.number + one.times - 1)]
 
 
 def _first_worked(items: list[Item]) -> int:

@@ -51,7 +51,7 @@ def worked(
             continue
         elif item.name == "gap":
             made, taken = item.numbers[0], edge
-        elif item.name not in ("flo", "blo", "bl", "color", "fo", "goto", "edge"):
+        elif item.name not in ("flo", "blo", "bl", "color", "fo", "goto", "edge", "tospace"):
             return None
     return made, taken
 

@@ -64,6 +64,8 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
         return
     within = _times_within(words)
     outer, c.tokens, before = c.tokens, c.tokens[: end - 3 * bool(within)], r.before
+    place = before if before is not None and before.spaces else None  # "in next corner sp work (3 dc, ch 2, 3 dc)"
+    r.before = None if place is not None else before
     c.at += 1
     r.depth += 1
     inner: list[Item] = []
@@ -81,6 +83,9 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
     c.at = end + 1
     if inner and all(isinstance(i, Action) and i.name in ("color", "flo", "blo", "bl") for i in inner):
         found += inner
+    elif inner and place is not None:
+        r.before = None
+        found += _into(r, found, inner, place, Span(token.start, outer[end].end))
     elif inner and within is not None:
         found.append(Group(tuple(inner), *checked(within.value, within)))
     elif inner:
@@ -107,6 +112,7 @@ def _with_chains(found: list[Item], words: list[Token]) -> bool:
 def _spaced(last: Item | None, words: list[Token]) -> tuple[str, int] | None:
     """The stitch, and the chains of a space behind it, that ``words`` say the chains ``last`` count as; None where they say no such."""
     kind = next((t.value for t in words if t.kind == "stitch"), "")
+    words = [t for t in words if t.word != "-"]  # "counts as dc and ch-2 space"
     chained = next(
         (k for k, t in enumerate(words[:-1]) if t.value == "ch" and isinstance(words[k + 1].value, int)), None
     )
@@ -230,7 +236,16 @@ def led(found: list[Item]) -> tuple[list[Item], list[Item]]:
     at = 0
     while at < len(found):
         item = found[at]
-        if not isinstance(item, Action) or item.name not in ("ch", "turn", "color", "flo", "blo", "join", "mr"):
+        if not isinstance(item, Action) or item.name not in (
+            "ch",
+            "turn",
+            "color",
+            "flo",
+            "blo",
+            "join",
+            "mr",
+            "tospace",
+        ):
             break
         at += 1
     return found[:at], found[at:]

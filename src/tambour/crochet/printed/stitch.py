@@ -13,6 +13,7 @@ from tambour.crochet.printed.curls import curl
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.heaped import into_ring, placed, together
 from tambour.crochet.printed.marked import taken
+from tambour.crochet.printed.motifs import slipped_to
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.standing import (
@@ -33,6 +34,7 @@ _TWO = ("inc", "dec")
 
 
 _ROOT = 5  # chains of which the first is the middle of a ring
+_SHELLS = range(4, 10)  # "*skip 1, 5 dc, skip 1, sl st*": that many in one stitch
 _FEW = 4  # "2 sc in next 3 sts" is two in each; of more, nobody means that
 
 
@@ -45,6 +47,8 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         after = c.take()
     if c.key("stitch") or (c.kind("stitch") and c.look().glued):  # type: ignore[union-attr]
         c.at += c.key("stitch")
+    if name == "slst" and not before and not after and slipped_to(r, found):
+        return
     if (name == "slst" and _joins(r)) or (name == "sc" and _forms(r, found)):
         found.append(Action("join", token.span))
         return
@@ -133,6 +137,8 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and found
         and not any(map(makes, found))
         and not stands(found[-1])
+        and not place.spaces
+        and not any(isinstance(i, Action) and i.name == "tospace" for i in found)
     ):
         place.kind = "first"  # the stitch that the yarn was joined to
     if place is not None and place.kind in ("same", "joined") and slipped_back(found):
@@ -197,6 +203,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         times, span = given
         single = len(made) == 1 and isinstance(made[0], Action) and number is None and place is None
         made = [Action(name, token.span, times or 1, span)] if single else [Group(tuple(made), times, span)]
+    held = place.loops if place is not None else ""
     if place is not None and place.loops:
         made = [Action(place.loops, place.span), *made, Action("bl", place.span)]
     found += made
@@ -216,6 +223,10 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.kind("number"):
             c.at = begin
             break
+        if held and not place.loops:  # "in back loop of same sc and of each sc around"
+            both = found.pop()
+            found += [*_lower(r, found, name, before, after, token, place), both]
+            continue
         found += _lower(r, found, name, before, after, token, place)
 
 
@@ -309,7 +320,8 @@ def _lower(
         raise NotUnderstood(given or token, "so many stitches cannot be made", "a whole number from 1")
     if place is None or place.kind == "loops":
         plain = kind.makes == 1 and kind.takes == 1
-        if before is not None and k in (2, 3) and plain and name != "ch":
+        shell = (r.stars or r.depth) and k in _SHELLS and name in ("hdc", "dc", "tr")
+        if before is not None and (k in (2, 3) or shell) and plain and name != "ch":
             word = "one" if not token.glued else "one glued"
             r.ask(word, Span(before.start, token.end))
             if word in r.choices:

@@ -40,6 +40,8 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "foundation": ("fsc", ()),
     "fold": ("fold", ()),
     "fold to": ("fold", ()),
+    "to space": ("tospace", (0,)),
+    "to space half": ("tospace", (1,)),
     **{f"edge {which}": ("edge", (k,)) for k, which in enumerate(EDGES)},
     "gap": ("gap", ()),
 }

@@ -39,6 +39,8 @@ SENTENCES: Final = {
     "foundation": "count",  # single crochets that make their own chain
     "fold": "",  # through both layers of the edge, folded
     "fold to": "label",
+    "to space": "",  # a round begins in the next chain space, or in the middle of it
+    "to space half": "",
     "edge all": "count",  # along the edge of what was worked, as so many stitches
     "edge side": "count",  # … down the ends of the rows
     "edge base": "count",  # … the other side of the chain that it began with
