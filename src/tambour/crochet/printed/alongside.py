@@ -42,14 +42,7 @@ def bordered(
     tokens, times, span = what
     words = p.source.text.text[min(begin, span.start) : span.end].lower()
     owner = _owner(p, draft, words)
-    last = next((one for one in reversed(p.parts) if one.begun()), None)
-    if (
-        owner is None
-        or owner is not last
-        or owner.chain is not None
-        or is_first(read, p.source.stitches)
-        or read.refers is not None
-    ):
+    if owner is None or owner.chain is not None or is_first(read, p.source.stitches) or read.refers is not None:
         return None
     if draft.copies not in (1, owner.copies) or not owner.flat:
         return None
@@ -82,6 +75,8 @@ def bordered(
         owner.lines += [] if draft.begun() else draft.lines
         owner.offset = owner.last if head.numbers and head.numbers[0] <= owner.last else owner.offset
         head = replace(head, numbers=tuple(n + owner.offset for n in head.numbers))
+    p.parts.remove(owner)
+    p.parts.append(owner)  # what comes next goes on with it
     owner.leave(p.source)
     again.items[:0] = [Action("edge", head.span, numbers=(0 if whole else count, which)), *lead]
     owner.edge, owner.sure = count, True

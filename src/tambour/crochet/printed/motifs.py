@@ -18,6 +18,8 @@ _IDLE: Final = ("color", "flo", "blo", "bl")
 
 def spaced(clause: list[Token]) -> bool:
     """Whether words that say where yarn is joined, or how far it is slipped, name a chain space or a corner: "in any ch-2 sp"."""
+    if any(t.value in ("same", "as") or t.word == "between" for t in clause):
+        return False
     corner = any(t.word in _CORNERS for t in clause) and len(clause) < 6
     return any(t.kind == "key" and t.value == "space" for t in clause) or (
         corner and not any(t.word == "of" for t in clause)

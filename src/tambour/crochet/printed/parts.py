@@ -33,7 +33,7 @@ from tambour.crochet.printed.motifs import net
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
 from tambour.crochet.printed.redyed import colored
-from tambour.crochet.printed.slips import lowered
+from tambour.crochet.printed.slips import joined_last, lowered
 from tambour.crochet.printed.tokens import Token
 
 _CLOSED = (
@@ -257,7 +257,7 @@ class Draft:
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
-        made = colored(_joined_last(made) if self.off is not None else made, body.later)
+        made = colored(joined_last(made, self.lines) if self.off is not None else made, body.later)
         self.lines += made
         self.spread |= {span.start} if body.spread else set()
         if worked:
@@ -418,20 +418,6 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
-
-
-def _joined_last(lines: list[Line]) -> list[Line]:
-    """Rounds in a spiral, of which only the last is joined, where the yarn ends: "18th to 32nd rnds: … Sl st in first sc of rnd. Fasten off."."""
-    one = lines[-1]
-    last, first = (one.items[-1], one.items[0]) if one.items else (None, None)
-    joined = isinstance(last, Action) and last.name == "join"
-    lifted = isinstance(first, Action) and first.name in ("ch", *STANDING)
-    if len(lines) > 1 or one.times < 2 or not joined or lifted or one.number is None:
-        return lines
-    plain = replace(
-        one, items=one.items[:-1], times=one.times - 1, times_span=one.times_span if one.times > 2 else None, notes=()
-    )
-    return [plain, replace(one, times=1, times_span=None, number=one.number + one.times - 1)]
 
 
 def _first_worked(items: list[Item]) -> int:

@@ -117,6 +117,6 @@ def _made(tokens: list[Token], at: int) -> int | None:
     for end in range(at + 1, min(at + 8, len(tokens))):
         if tokens[end].word in ("made", "completed", "complete"):
             return end + 1
-        if tokens[end].kind == "mark" and tokens[end].word in ".,;*()[]":
-            return None
+        if (tokens[end].kind == "mark" and tokens[end].word in ".,;*") or tokens[end].value == "space":
+            return None  # "in next ch-2 sp (corner made)"
     return None

@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import Stitch, into_one
-from tambour.crochet.language.tree import Group, Item, Line
+from tambour.crochet.language.stitches import STANDING, Stitch, into_one
+from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.counts import makes, slips
+from tambour.crochet.printed.items import closes
 from tambour.crochet.printed.reckoned import after
+
+_IDLE = ("color", "flo", "blo", "bl")
 
 
 def lowered(lines: list[Line], edges: dict[int, int], source: Source) -> list[Line]:
@@ -49,3 +52,21 @@ def _low(item: Item, name: str) -> Item:
     if isinstance(item, Group):
         return replace(item, items=tuple(_low(i, name) for i in item.items))
     return replace(item, name=name) if item.name == "slst" else item
+
+
+def joined_last(lines: list[Line], before: list[Line]) -> list[Line]:
+    """Rounds in a spiral, behind those ``before``, of which only the last is joined, where the yarn ends: "18th to 32nd rnds: … Sl st in first
+    sc of rnd. Fasten off."."""
+    one = lines[-1]
+    last = one.items[-1] if one.items else None
+    lead = next((i for i in one.items if not isinstance(i, Action) or i.name not in _IDLE), None)
+    joined = isinstance(last, Action) and last.name == "join"
+    lifted = isinstance(lead, Action) and lead.name in ("ch", "turn", *STANDING)
+    below = next((line for line in reversed(before) if line.in_round), None)
+    spiral = below is not None and below.again is None and not closes(below)
+    if len(lines) > 1 or one.times < 2 or not joined or lifted or one.number is None or not spiral:
+        return lines
+    plain = replace(
+        one, items=one.items[:-1], times=one.times - 1, times_span=one.times_span if one.times > 2 else None, notes=()
+    )
+    return [plain, replace(one, times=1, times_span=None, number=one.number + one.times - 1)]
