@@ -321,7 +321,7 @@ def _lower(
     if place is None or place.kind == "loops":
         plain = kind.makes == 1 and kind.takes == 1
         shell = (r.stars or r.depth) and k in _SHELLS and name in ("hdc", "dc", "tr")
-        if before is not None and (k in (2, 3) or shell) and plain and name != "ch":
+        if before is not None and k is not None and (k in (2, 3) or shell) and plain and name != "ch":
             word = "one" if not token.glued else "one glued"
             r.ask(word, Span(before.start, token.end))
             if word in r.choices:
