@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
-from tambour.core.graph import JOIN, SEWN, StitchGraph
+from tambour.core.graph import JOIN, ROOT, SEWN, StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.core.strands import Strands
@@ -22,7 +22,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
-from tambour.crochet.yarn import clearance, course, fabric, loops, spline, surface
+from tambour.crochet.yarn import clearance, course, fabric, lead, loops, spline, surface
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -65,6 +65,15 @@ def test_a_strand_per_run_of_a_colour(striped: tuple[StitchGraph, np.ndarray]) -
     plain = [i for i in range(len(graph)) if graph.kinds[graph.kind[i]] not in ("ring", "tip")]
     assert set(stitch.tolist()) == set(plain)
     assert np.isfinite(made.paths.coords).all()
+
+
+def test_yarn_that_goes_back_is_not_cut() -> None:
+    """After a goto the work goes on elsewhere with the same yarn: it is carried there behind the fabric, from stitch to stitch."""
+    graph, x = piece(": MR(6)\n: 6 inc\n: mark(a), [sc, inc] x 6\n: 18 sc\ngoto(a)\n: FLO, 12 sc\n: 12 sc\n")
+    made = fabric.strands(graph, x)
+    assert (graph.previous[2:] != np.arange(1, len(graph) - 1)).sum() == 1
+    assert made.source.tolist() == [1]
+    assert max(np.linalg.norm(np.diff(line, axis=0), axis=1).max() for line in made.paths) < 1.2 * 5.0
 
 
 @pytest.mark.parametrize("text", [STRIPES, SAMPLER])
@@ -263,6 +272,49 @@ def test_columns_lean_to_the_right_in_spirals_only() -> None:
     turned, _ = piece(": 11 ch, turn\n: 10 sc, turn, ch\n: 10 sc, turn, ch\n")
     host, slip = course.leaning(turned, 0.25)
     assert (host == np.arange(len(turned))).all() and not slip.any()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("around", [6, 12, 24])
+def test_a_v_stands_upright_however_thin_the_limb(around: int) -> None:
+    """Stuffing winds a limb's columns about it, by two stitches in as many rounds as it has stitches: in limbs of 6 Vs were
+    slanted ropes, their legs 38 and 3 degrees from the limb's axis, to the same side."""
+    words = [
+        ": MR(6)",
+        *([": 6 inc"] if around > 6 else []),
+        *(f": [{n} sc, inc] x 6" for n in range(1, around // 6 - 1)),
+    ]
+    made = make(Text("\n".join([*words, *[f": {around} sc"] * 12])), CrochetParams(), Progress())
+    graph, x = made.built.graph, made.positions
+    led, rows = lead.way(graph), course.course(graph, x, loops.LEAN["over"])
+    at, out = fabric._upright(led.at, led, graph, rows, loops.LEAN["over"]), np.zeros((len(led.cell), 3))
+    free, ring = np.diff(graph.anchor_offsets) == 0, graph.peculiarity == ROOT
+    own = (
+        graph.height,
+        graph.direction,
+        graph.stitch_width,
+        rows.x,
+        rows.along,
+        rows.normal,
+        rows.up,
+        rows.after,
+        rows.before,
+    )
+    course.place(led.cell, led.below, at, *own, rows.foot, rows.pace, rows.host, rows.slip, ring, free, out)
+    last = int(graph.round.max())
+    middles = np.array([x[graph.round == k].mean(0) for k in (last - 8, last - 2)])
+    axis = (middles[1] - middles[0]) / np.linalg.norm(middles[1] - middles[0])
+    tilts = []
+    for i in np.flatnonzero((graph.round > last - 8) & (graph.round < last - 3)).tolist():
+        own_points = out[np.flatnonzero(led.cell == i)]
+        off = own_points[[7, 10, 17, 13]] - middles[0]
+        flat = off - np.outer(off @ axis, axis)
+        for low, top in ((0, 1), (2, 3)):  # its two legs
+            side = np.cross(axis, flat[low] + flat[top])
+            tilts.append([(off[top] - off[low]) @ side / np.linalg.norm(side), (off[top] - off[low]) @ axis])
+    aside, up = np.array(tilts).reshape(-1, 2, 2).mean(0).T
+    one, other = np.degrees(np.arctan2(aside, up))
+    assert one * other < 0.0 and abs(one + other) < 20.0 and abs(one - other) > 20.0, (one, other)
 
 
 def test_a_picture_stays_where_its_nodes_are() -> None:

@@ -282,6 +282,21 @@ def test_parts_stand_on_parts_that_stand_on_parts() -> None:
 
 
 @pytest.mark.slow
+def test_a_wide_end_is_sewn_down_in_a_round() -> None:
+    """What it is sewn to lies in rows: from stitch to stitch of that a muzzle's edge had lobes, a third of its radius deep."""
+    muzzle = "R1: MR(6)\nR2: 6 inc\nR3: [sc, inc] x 6\nR4: [5 sc, inc] x 3\nR5: 21 sc\n"
+    grown = "".join(f"R{n + 2}: [{n} sc, inc] x 6\n" for n in range(1, 7))
+    piece = toy(
+        f"== Head ==\nR1: MR(6)\nR2: 6 inc\n{grown}R9-R16: 48 sc\n== Muzzle ==\n{muzzle}place(Muzzle, Head, round=12.5, stitch=20)\n"
+    )
+    rim = piece.positions[seams(piece)["Muzzle"][:, 0]]
+    off = rim - rim.mean(0)
+    flat = off - np.outer(off @ (axis := np.linalg.svd(off)[2][2]), axis)
+    out = np.linalg.norm(flat, axis=1)
+    assert out.max() - out.min() < 0.22 * out.mean()
+
+
+@pytest.mark.slow
 def test_a_wide_part_keeps_the_angle_that_it_is_given() -> None:
     body = BALL.replace("Head", "Body").replace(
         "R5-R9: 24 sc (24)", "R5: [3 sc, inc] x 6 (30)\nR6-R12: 30 sc (30)\nR13: [3 sc, dec] x 6 (24)"

@@ -307,6 +307,10 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         else:
             x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], host, frame.normals[0])
         upright[part] = turned(upright[other], sewing.leaning(f, frame))
+        if end.ring and not end.laid and not len(low) and len(end.nodes) >= sewing.WIDE:
+            springs, lengths = sewing.rounded(x, seams[-1], straight[rank], bodies[body[other]], frame)
+            stays.append(springs)
+            rest.append(lengths)
         springs, lengths = sewing.stays(x, moved, own, end, *ways, bodies[body[other]], frame)
         stays.append(springs)
         rest.append(lengths)

@@ -13,6 +13,7 @@ from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, whole
 from tambour.crochet.language.finishes import Placed
+from tambour.crochet.settle.body import SEAM_HEIGHT
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.near import assigned, nearest
 
@@ -26,6 +27,8 @@ AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 OFF = 0.75
 """How far from the middle between its neighbours' a stitch lies off their row, in stitches."""
+WIDE, BETWEEN = 15, 4
+"""An edge of so many stitches or more is sewn down in a round; and how many stitches each of its own is held between there."""
 STAY, OUTSIDE = 2.5, 1.0
 """How far from a seam's middle stays begin on the fabric, in stitches; and how far outside a ring's: under a part it is slack."""
 BEND = 1.0
@@ -376,6 +379,21 @@ def stays(
     a, b = np.unique(np.column_stack([held_by[one], ground[two]]), axis=0).T
     rest = np.sqrt(((moved[a] - x[target[b]]) ** 2).sum(1))
     return np.column_stack([own[a], target[b]]), rest
+
+
+def rounded(x: Array, pairs: Array, straight: Array, target: Array, frame: Frames) -> tuple[Array, Array]:
+    """Springs by which a ring's edge is sewn down in a round, and not from stitch to stitch of what is below, that lie in rows: pairs
+    (K, 2) of its stitches with the BETWEEN nearest stitches to where each is wanted, and how far they are from there (K,).
+
+    pairs, straight, target : as :func:`seam` gives and takes them
+    """
+    p, n = frame.points[0], frame.normals[0]
+    off = straight - p
+    off = off - dot(off, n)[:, None] * n
+    wanted = p + off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9) * (len(pairs) / (2.0 * math.pi))
+    wanted = wanted + (dot(x[pairs[:, 1]] - wanted, n) + SEAM_HEIGHT)[:, None] * n
+    far, near = nearest(wanted, x[target], min(BETWEEN, len(target)))
+    return np.column_stack([np.repeat(pairs[:, 0], near.shape[1]), target[near.ravel()]]), far.ravel()
 
 
 def _unit(v: Array) -> Array:

@@ -32,8 +32,8 @@ BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
 ERECT = 1.1
 """How far stitches' legs are brought upright for what their column does not lean, in times of that: not quite all of it shows."""
-BACKWARDS = 1.6
-"""What is missing of the lean is made good up to so much of it: where columns lean back it is more than all."""
+MOST = 0.5
+"""Legs are brought upright by so much at the most, in widths over a stitch's height."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -154,21 +154,28 @@ def _pressed(at: Array) -> Array:
 
 
 def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float) -> Array:
-    """The way's points (P, 3) with the legs of stitches brought upright whose columns lean less to the right than those in
-    which the course was found: where work is joined or turned, and towards ends that are sewn on, where they lean back."""
+    """The way's points (P, 3) with the legs of stitches brought upright whose columns lean otherwise to the right than those in
+    which the course was found: where work is joined or turned, towards ends that are sewn on, where they lean back, and in
+    thin limbs, whose columns stuffing winds about them, by two stitches in as many rounds as they have stitches."""
     _, number, count = np.unique(graph.round, return_inverse=True, return_counts=True)
     around = count[number]
     glided = (rows.host + rows.slip - np.arange(len(graph))) / around  # turns
     worked = np.flatnonzero(np.diff(graph.anchor_offsets) > 0)
-    on = graph.anchors[graph.anchor_offsets[worked + 1] - 1]
-    missing = np.zeros(len(graph))
-    missing[worked] = np.clip(1.0 + (glided[worked] - glided[on]) * around[worked] / lean, 0.0, BACKWARDS)
+    first, last = graph.anchors[graph.anchor_offsets[worked]], graph.anchors[graph.anchor_offsets[worked + 1] - 1]
+    along = rows.along[worked]
+    wound = ((rows.x[worked] - 0.5 * (rows.x[first] + rows.x[last])) * along).sum(1) / np.maximum(
+        (along**2).sum(1), 1e-9
+    )
+    aside = np.clip(wound, -MOST, MOST) + (glided[worked] - glided[last]) * around[worked]
+    mean = (np.bincount(number[worked], aside) / np.maximum(np.bincount(number[worked]), 1))[number[worked]]
+    bring = np.zeros(len(graph))
+    bring[worked] = np.clip(lean + mean, -MOST, MOST)
     u, v, w = at.T
     # Posts of tall stitches are led upright.
     high = graph.height[led.cell]
     high = np.where(high < TALL, np.maximum(high, 1.0), np.inf)
     front = np.clip(w / 0.25, 0.0, 1.0) * np.clip(v / high / 0.8, 0.0, 1.0) * np.clip((0.2 + high - v) / 0.3, 0.0, 1.0)
-    return np.stack([u - lean * ERECT * front * missing[led.cell], v, w], axis=1)
+    return np.stack([u - ERECT * front * bring[led.cell], v, w], axis=1)
 
 
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:

@@ -216,6 +216,10 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows)
     _tight(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
+    for i, path in _carried(graph, role, follows).items():
+        follows[i] = True
+        for node in path:
+            pieces.put(int(start[i]), AFTER, node, STANDS, _UNDER, float(graph.height[node]))
     for i in worked[~follows[worked]].tolist():
         begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
     changed = worked[follows[worked]]
@@ -239,6 +243,35 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
             # The last top loop is not left lying: its yarn is drawn on.
             drop[int(start[i + 1]) - (TOP[1] - HEAD) + 3 : int(start[i + 1])] = True
     return _joined(graph, cell, below, at, drop, pieces)
+
+
+def _carried(graph: StitchGraph, role: Array, follows: Array) -> dict[int, list[int]]:
+    """Stitches that the work goes back to (goto), and the nodes behind which the yarn is carried there from the last stitch
+    made: it was not cut, so it is one strand, led from stitch to stitch behind the fabric."""
+    later = np.flatnonzero((role[1:] != NONE) & (role[:-1] != NONE) & ~follows[1:]) + 1
+    later = later[(graph.part[later] == graph.part[later - 1]) & (graph.previous[later] >= 0)]
+    later = later[(graph.color[later] == graph.color[later - 1]).all(1)]
+    made = {}
+    if len(later):
+        order = np.argsort(np.concatenate([graph.edges[:, 0], graph.edges[:, 1]]), kind="stable")
+        other = np.concatenate([graph.edges[:, 1], graph.edges[:, 0]])[order]
+        at = np.searchsorted(np.concatenate([graph.edges[:, 0], graph.edges[:, 1]])[order], np.arange(len(graph) + 1))
+    for i in later.tolist():
+        goal, came = int(graph.previous[i]), {i - 1: i - 1}
+        front = [i - 1]
+        while front and goal not in came:
+            nodes, front = front, []
+            for a in nodes:
+                for b in other[at[a] : at[a + 1]].tolist():
+                    if b < i and b not in came and role[b] != NONE and graph.part[b] == graph.part[i]:
+                        came[b] = a
+                        front.append(b)
+        if goal in came:
+            path = [goal]
+            while path[-1] != i - 1:
+                path.append(came[path[-1]])
+            made[i] = path[::-1]
+    return made
 
 
 def _tight(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:
