@@ -308,5 +308,5 @@ def test_the_report_says_what_was_read():
     text = "Ball (UK terms)\nHook: 3 mm\nA lovely thing for a rainy day.\nRnd 1: 6 dc in MR (6)\nRnd 2: 2 dc in each st (12)\n"
     said = account(read(Text(text)))
     assert said["terms"] == "uk" and said["passed_over"] == 1 and said["not_understood"] == []
-    assert said["stated"] == {"title": "Ball (UK terms)", "hook": "3 mm"}
+    assert said["stated"] == {"title": "Ball", "hook": "3 mm"}
     assert account(parse(Text(": MR(6)\n"))) == {}

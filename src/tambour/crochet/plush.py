@@ -43,6 +43,8 @@ def make(source: Text | Drawing | Model | None, params: CrochetParams, progress:
         piece = _modelled(source, params, progress)
         return mirrored(piece) if params.hand == "left" else piece
     built, joining, known = _built(_text(source, params, progress), params, progress)
+    if "material" not in params.model_fields_set and "fibre" in built.pattern.stated:
+        params = params.model_copy(update={"material": built.pattern.stated["fibre"][0]})
     piece = _shaped(built, joining, params, known, progress)
     if params.hand == "left":
         piece = mirrored(piece)
@@ -128,7 +130,7 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
     from tambour.crochet.finish.pose import pose
     from tambour.crochet.finish.twist import twisted
     from tambour.crochet.graph.build import build
-    from tambour.crochet.maker.gauge import gauge
+    from tambour.crochet.maker.gauge import gauge, odd_hook
     from tambour.crochet.printed.choose import read
 
     with progress.stage("parse"):
@@ -148,6 +150,8 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
         else:
             joining = prepare(built)
     said = [*built.pattern.unread, *built.warnings]
+    if (doubt := odd_hook(known)) is not None:
+        progress.warn(*doubt)
     if joining is not None:
         said += [*joining.doubts, *crowded(joining)]
     said += twisted(built)

@@ -144,7 +144,8 @@ def prepare_what_stands(built: Built) -> tuple[Built, Joining | None]:
             kept = tuple(f for f in built.pattern.finish if not spans & {f.span, *(s.span for s in spots_of(f))})
             if len(kept) == len(built.pattern.finish):
                 raise
-            told = (*built.pattern.unread, *(replace(p, message=f"left out: {p.message}", warning=True) for p in wrong))
+            out = dict.fromkeys(replace(p, message=f"left out: {p.message}", warning=True) for p in wrong)
+            told = (*built.pattern.unread, *out)
             built = replace(built, pattern=replace(built.pattern, finish=kept, unread=told))
 
 

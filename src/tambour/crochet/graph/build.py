@@ -242,10 +242,12 @@ class _Worker:
             hook.styles[hook.style[n]][0] == "ch" and n not in hook.lifts for n in range(self.fresh, len(hook))
         ):
             return
-        shown = made if self.hook.now.left == self.hook.now.count else edge
+        left = max(0, self.hook.ahead) if self.hook.now.ring else 0
+        rest = f" and leaves {left} of those below unworked" if left and made + left == edge else ""
+        shown = made if rest or self.hook.now.left == self.hook.now.count else edge
         self.problems.append(
             Problem(
-                f"the pattern says {line.stated} stitches, the round makes {shown}",
+                f"the pattern says {line.stated} stitches, the round makes {shown}{rest}",
                 "correct the number, or the stitches before it",
                 line.stated_span,
                 self.pattern.text,

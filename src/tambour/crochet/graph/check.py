@@ -11,8 +11,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
 from tambour.crochet.graph.built import Built, Worked
-from tambour.crochet.language.finishes import ASIDE, GUESSED, Eye, Placed
+from tambour.crochet.language.finishes import ASIDE, GUESSED, MEANT, UNSEEN, Eye, Placed
 from tambour.crochet.language.tree import Group, Item
+from tambour.crochet.words.table import TERMS, WHOLE
 
 NEAR = 0.2
 """A stated size may differ from the predicted one by this share: hands differ as much."""
@@ -34,7 +35,11 @@ def tech_edit(built: Built) -> list[Problem]:
     leave stitches or run past their end; parts that are never sewn on; stuffing in an open part; yarn and eyes that
     the materials do not name.
     """
-    found = [replace(p, warning=False) for p in built.warnings if not p.message.startswith(("approximated", GUESSED))]
+    found = [
+        replace(p, warning=False)
+        for p in built.warnings
+        if not p.message.startswith(("approximated", GUESSED, MEANT, UNSEEN))
+    ]
     found += [*_rounds(built), *_loose(built), *_open(built), *_materials(built)]
     return sorted(dict.fromkeys(found), key=lambda p: p.span.start if p.span else 0)
 
@@ -49,11 +54,17 @@ def size_edit(built: Built, size_mm: tuple[float, ...]) -> list[Problem]:
     if not said or not max(size_mm, default=0.0):
         return []
     largest = max(said)
-    if any(abs(largest - length) <= NEAR * length for length in size_mm):
+    seated = len(said) > 1 and _seated(built.pattern.terms).search(words)  # "13 cm sitting, 20 cm standing"
+    if any(abs(one - length) <= NEAR * length for one in (said if seated else [largest]) for length in size_mm):
         return []
     shown = " × ".join(f"{length / 10:.1f}" for length in size_mm)
     message = f"the pattern says {largest / 10:.1f} cm; by its gauge and rounds the piece is {shown} cm"
     return [Problem(message, "correct the size, the gauge or the hook", span, built.pattern.text)]
+
+
+def _seated(code: str) -> re.Pattern[str]:
+    said = TERMS[code or WHOLE].heard.said.get("sitting", ())
+    return re.compile(rf"\b(?:{'|'.join(said) or '(?!)'})\b", re.IGNORECASE)
 
 
 def instance(built: Built, part: int) -> str:
@@ -79,10 +90,14 @@ def _rounds(built: Built) -> Iterator[Problem]:
         if w.left > 0 and (leaves or k == last[w.part] or _stops(w.line.items)):
             continue
         told.add(w.part)
-        yield Problem(_uneven(w), "correct the repeats, or say where the round begins", w.line.span, built.pattern.text)
+        off = w.line.stated is not None and w.made != w.line.stated == w.made + w.left
+        at = w.line.stated_span if off and w.line.stated_span is not None else w.line.span
+        yield Problem(_uneven(w, off), "correct the repeats, or say where the round begins", at, built.pattern.text)
 
 
-def _uneven(w: Worked) -> str:
+def _uneven(w: Worked, off: bool) -> str:
+    if off:
+        return f"the pattern says {w.line.stated} stitches, the round makes {w.made} and leaves {w.left} of those below unworked"
     if w.left > 0:
         return f"this round leaves {w.left} of the {w.below} stitches below it unworked"
     return f"this round needs {w.below - w.left} stitches below it, there are {w.below}"

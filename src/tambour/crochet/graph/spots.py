@@ -367,6 +367,9 @@ class Spots:
         ]
         if not mine or not all(there):
             hint = f"its rounds are {min(mine)} to {max(mine)}" if mine else "it has no rounds"
+            broken = [n for n, found in zip(wanted, there) if not found and mine and min(mine) < n < max(mine)]
+            if broken:
+                hint = f"round {broken[0]} does not come round to where it began: see its count"
             yield Problem(f'"{spot.part}" has no round {spot.round:g}', hint, spot.span, text)
             return
         if len(self._at.get((part, wanted[0]), ())) > 1:

@@ -125,6 +125,10 @@ def spots_of(finish: Finish) -> tuple[Spot, ...]:
 
 GUESSED: Final = "guessed where these go"
 """How a doubt begins that tells of parts put where such parts usually are."""
+MEANT: Final = "the materials have one such colour"
+"""How the doubt begins that tells which yarn a shorter name means."""
+UNSEEN: Final = "this is kept as written, and the pictures do without it"
+"""What is told of things that hands do and that one would see."""
 ASIDE: Final = "no sentence places these, so they stand beside it"
 """How the doubt of parts begins that are put nowhere: clothes, and what has no name."""
 

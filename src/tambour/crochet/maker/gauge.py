@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tambour.crochet.yarns import (
     CIRCLE,
@@ -22,6 +22,10 @@ from tambour.crochet.yarns import (
 if TYPE_CHECKING:
     from tambour.core.errors import Span
     from tambour.crochet.params import CrochetParams
+
+
+FAR: Final = 1.7
+"""So many times smaller or larger than usual, a hook is doubted: lace is worked up to one and a half times as loosely."""
 
 
 def gauge(params: CrochetParams, stated: Mapping[str, tuple[str, Span]]) -> Gauge:
@@ -78,6 +82,15 @@ def gauge(params: CrochetParams, stated: Mapping[str, tuple[str, Span]]) -> Gaug
             )
     weight = weight or _nearest_width(size[0])
     return Gauge(size[0], size[1], source, weight, hook or WEIGHTS[weight].amigurumi, told)
+
+
+def odd_hook(known: Gauge) -> tuple[str, str] | None:
+    """What is doubtful in a hook and a yarn that were both named, and what to do: no hand works them together. None where it can."""
+    usual = WEIGHTS[known.weight]
+    if not {"hook", "yarn"} <= set(known.told) or usual.amigurumi / FAR <= known.hook <= usual.hook * FAR:
+        return None
+    said = f"a hook of {known.hook:g} mm is far from those that {usual.name} yarn is worked with, {usual.amigurumi:g} to {usual.hook:g} mm"
+    return said, "check {--hook} and {--yarn}, or what the pattern says of them"
 
 
 def _nearest_hook(hook: float) -> str:

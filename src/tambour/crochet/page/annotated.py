@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from tambour.core.errors import Problem, Text
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.check import size_edit, tech_edit
-from tambour.crochet.language.finishes import GUESSED
+from tambour.crochet.language.finishes import GUESSED, UNSEEN
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -36,7 +36,7 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
     """
     text = built.pattern.whole or built.pattern.text
     document = text.name.lower().endswith(DOCUMENTS)
-    guesses = [p for p in built.warnings if p.message.startswith(GUESSED)]
+    guesses = [p for p in built.warnings if p.message.startswith((GUESSED, UNSEEN))]
     found = [*tech_edit(built), *size_edit(built, size_mm)]
     told = {(p.message, p.span) for p in found}
     unread = [p for p in built.pattern.unread if (p.message, p.span) not in told]
@@ -46,7 +46,7 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
             at = text.place(problem.span.start)[0] if problem.span is not None else 1
             under.setdefault(at, []).append((sign, problem))
     wrong = {at for at, said in under.items() if any(sign == DOUBT for sign, _ in said)}
-    asked = {text.place(p.span.start)[0] for p in unread if p.span is not None}
+    asked = {text.place(p.span.start)[0] for p in (*unread, *guesses) if p.span is not None and p.span.end}
     where: dict[tuple[str, str | None], list[int]] = {}
     for row in sorted(under):
         for _, problem in under[row]:

@@ -12,7 +12,7 @@ from tambour.crochet.places.said import VERB
 EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
 EYED: Final = re.compile(
     r"\b(?:insert\w*|place[ds]?|placing|attach(?:ed)?|add(?:ed)?|put|position(?:ed|ing)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|"
-    r"pop(?:ped)?|snap(?:ped)?)\b"
+    r"pop(?:ped)?|snap(?:ped)?|fit(?:ted)?|press|screw|slot|clip)\b"
 )
 DRAWN: Final = re.compile(
     r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"

@@ -9,10 +9,9 @@ from typing import Final
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
+    r"fit(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )
 """Words that put something somewhere."""
-
 _NUMBERS: Final = {
     w: k for k, w in enumerate("zero one two three four five six seven eight nine ten eleven twelve".split())
 }
@@ -125,6 +124,7 @@ def where(text: str) -> Where:
     """What ``text`` (in small letters) says of a place."""
     rounds = None
     text = _DOING.sub("", text)
+    text = re.sub(r"\b(?:on|at) the outsides? of (?:the |each |both )", "beside the ", text)
     text = re.sub(r"\b(?:approx(?:imately)?\.?|about|around(?= \d)|roughly)\s+", "", text)
     both = [m for m in (_ROUNDS.search(text), _ORDINAL.search(text)) if m is not None]
     found = min(both, key=lambda m: m.start(), default=None)

@@ -7,13 +7,20 @@ from typing import Final
 
 from tambour.crochet.places import face
 from tambour.crochet.places.names import Made, kind_of, one
-from tambour.crochet.places.said import VERB
+from tambour.crochet.places.said import VERB, where
 
 _LED: Final = re.compile(r"^\W*(?P<name>(?:[^\W\d_]+[ &+/-]*){1,4}?)\s*(?P<mark>[:–—]|\s-)(?=\s+\S)")
 _AT: Final = re.compile(
     r"^\s*(?:on|at|to|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b"
 )
 _EYES: Final = re.compile(r"^\W*(?:the\s+)?(?:safety\s+)?eyes?\s+(?=(?:on|at|between|in|over)\b)", re.IGNORECASE)
+
+_FEATURE: Final = re.compile(
+    r"^\W*(?P<bare>(?:(?:the|a|an|two|three|four|\d+|short|small|little|tiny|black|brown|pink|white|red|rosy)\s+)*"
+    r"(?:mouth|nose|nostrils?|cheeks?|(?:eye)?lashes|(?:eye)?brows|smile|whiskers|freckles|blush)\b\s+(?:is |are |go |goes )?"
+    r"(?:between|on|at|over|under|below|above|in|with|just|right|either)\b)"
+)
+"""A face's feature without a verb: "Two short lashes on the outside of each eye"."""
 
 
 def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
@@ -22,16 +29,19 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     low = text.lower()
     if (eyes := _EYES.match(low)) is not None and not VERB.search(low):
         return eyes.end() - 1, " placed"
+    feature = _FEATURE.match(low)
+    if feature is not None and not VERB.search(low) and (where(low).says or re.search(r"\beyes?\b", low)):
+        return feature.start("bare"), "embroider "
     led = _LED.match(low)
     if led is None or VERB.search(low):
         return None
     words = [one(w) for w in re.findall(r"[^\W\d_]+", led["name"])]
     known = {w for name in names for w in Made(name, 1).words}
     at = led.end("mark")
+    if words[-1] == "eye" and _AT.match(low[at:]):
+        return at, " place"
     if face.motifs(led["name"]) or words == ["face"]:
         return at, " embroider"
-    if words[-1] == "eye":
-        return (at, " place") if _AT.match(low[at:]) else None
     part = any(w in known or kind_of(w) for w in words)
     return (at, " sew") if part and _AT.match(low[at:]) else None
 

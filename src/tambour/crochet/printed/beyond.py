@@ -222,10 +222,13 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
         if meant is None:
             return False
         draft = p.parts[meant]
-    draft.copies, draft.copies_span = draft.copies + 1, Span(tokens[0].start, tokens[-1].end)
+    counted = draft.copies_span is not None and draft.copies > 1  # "Arms (2)", and "Make the second arm the same way"
+    many = max(draft.copies, 2) if counted or _SECOND.search(said[0]) else draft.copies + 1
+    draft.copies, draft.copies_span = many, Span(tokens[0].start, tokens[-1].end)
     return True
 
 
+_SECOND: Final = re.compile(r"\b(?:second|2nd)\b", re.IGNORECASE)
 _TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,2})\b(?=.*\b(?:using|with|in)\b)")
 _ANOTHER: Final = re.compile(
     r"(?:make|work|crochet)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"

@@ -8,6 +8,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.counts import count, ends_with_number, makes, slips
+from tambour.crochet.printed.courses import FLATTENED
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, closed_flat, doing, drawn_tight
 from tambour.crochet.printed.marked import taken
@@ -23,7 +24,6 @@ _PHRASE = frozenset(",;.()[]{}*=")
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
-_FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
 
 
 _ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "ends"))
@@ -44,6 +44,9 @@ class Walk(Trade):
         while c.look() is not None:
             at, made = c.at, len(body.items)
             self.begun = at
+            if self.shuts(at):
+                c.at += 1
+                continue
             if self.hands():
                 c.at += 1
                 continue
@@ -111,6 +114,17 @@ class Walk(Trade):
         if words and not works and words[0].kind == "key" and words[0].value in _COURSED[1:]:
             body.doings.append(said)
 
+    def shuts(self, at: int) -> bool:
+        """Goes past a sentence behind those of a round that closes the opening flat; whether it is one: "Don't stuff, close with 6 sc"."""
+        c, end = self.c, self.end_of_sentence()
+        begins = [at, *(k + 1 for k in range(at, end) if c.tokens[k].word == "," and k + 1 < end)]
+        if not any(map(makes, self.body.items)) or not any(self.closes_flat([], k, True) for k in begins):
+            return False
+        self.body.shut = Span(c.tokens[at].start, c.tokens[end - 1].end)
+        if begins[1:]:
+            self.body.doings.append(c.tokens[at : begins[1] - 1])
+        return True
+
     def hands(self) -> bool:
         """Goes past what hands do here, up to its point, and keeps it; whether the sentence is such a doing."""
         at, end = self.c.at, self.end_of_sentence()
@@ -176,14 +190,11 @@ class Walk(Trade):
         if self._of_round(token):
             return True
         long, chain = c.look(-1), c.look(-2)
-        if (
-            token.word in _HOW
-            and long is not None
-            and chain is not None
-            and long.kind == "number"
-            and chain.value == "ch"
-        ):
-            c.at += 1  # "ch 14 loosely"
+        made = long is not None and (
+            long.kind == "stitch" or (long.kind == "number" and chain is not None and chain.value == "ch")
+        )
+        if token.word in _HOW and made:
+            c.at += 1  # "ch 14 loosely", "5 chs very tightly"
             return True
         if token.kind == "key" and token.value in ("and", "begin", "make", "times", "for", "more"):
             if token.value == "begin" and c.key("from", "in", "to", ahead=1):
@@ -258,9 +269,9 @@ class Walk(Trade):
                 self.other_side(found)
             else:
                 self.to_separator()
-        elif token.word in _FLAT and self.closed_flat(found, token):
+        elif (token.word in FLATTENED and self.closed_flat(found, token)) or self.closes_flat(found, c.at):
             return
-        elif token.word in _FLAT:
+        elif token.word in FLATTENED:
             while c.look() is not None and not c.mark(",", ".", ";") and not c.key("thicknesses"):
                 c.at += 1  # "flatten piece and work through both thicknesses"
         elif token.word in _PARTED:

@@ -10,7 +10,7 @@ from tambour.core.rgb import RGB, css_colors, unhexed
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.items import works
-from tambour.crochet.printed.shades import dyed, listed, said
+from tambour.crochet.printed.shades import dyed, listed, said, shelf
 
 _HEADING: Final = 400
 """Letters of a part's heading that may name its yarn."""
@@ -38,13 +38,41 @@ class Palette:
         self.given: dict[str, RGB] = {}
         self.told: list[str] = []
         self.named: dict[str, str] = {}  # what the yarns of the letters are called
+        self.yarns: dict[
+            str, tuple[RGB, str, Span]
+        ] = {}  # what the list of materials calls its yarns, as it is written there
+        self.meant: dict[str, str] = {}  # colours that mean the one yarn of the list whose name they are part of
 
     def name(self, words: str) -> RGB | None:
         """The colour of a name, None when it is none."""
-        return self.given.get(words) or (css_colors().get(words.replace(" ", "")) if self.pure else None) or said(words)
+        if self.pure:
+            return self.given.get(words) or css_colors().get(words.replace(" ", "")) or said(words)
+        return self.given.get(words) or self._on_shelf(words) or said(words)
 
-    def listed(self, line: str) -> None:
-        """Takes the yarns that a line of the materials gives letters."""
+    def _on_shelf(self, words: str) -> RGB | None:
+        """The colour of the yarn that the list calls so, or of the only one whose name has these words: "grey" where "Light Grey" is."""
+        words = words.replace("gray", "grey")
+        if words in self.yarns:
+            return self.yarns[words][0]
+        if not self.yarns or said(words) is None:
+            return None
+        fits = {
+            hue: name for hue, name, _ in self.yarns.values() if words in name.lower().replace("gray", "grey").split()
+        }
+        if len(fits) != 1:
+            return None
+        ((hue, name),) = fits.items()
+        self.meant.setdefault(words, name)
+        return hue
+
+    def listed(self, line: str, begin: int = 0) -> None:
+        """Takes the yarns that a line of the materials names, ``begin`` its place in the text, and the letters that it gives them."""
+        for name, also, at in shelf(line):
+            hue = dyed(name)
+            span = Span(begin + at, begin + at + len(name))
+            for called in (name, also) if hue is not None else ():
+                if called and hue is not None:
+                    self.yarns.setdefault(called.lower().replace("gray", "grey"), (hue, name, span))
         for letter, name in listed(line).items():
             self.named.setdefault(letter, name)
             hue = dyed(name)
@@ -54,7 +82,9 @@ class Palette:
     @property
     def main(self) -> RGB | None:
         """The yarn of what says none: the main one, the first, or the only one; None where no yarn is named."""
-        return next((self.given[k] for k in ("mc", "a", "") if k in self.given), None)
+        hue = next((self.given[k] for k in ("mc", "a", "") if k in self.given), None)
+        only = {rgb for rgb, _, _ in self.yarns.values()}
+        return hue if hue is not None or len(only) != 1 else only.pop()
 
     def first(self, words: str) -> RGB | None:
         """The first yarn that a heading asks for: "Make 1 with B and 1 with C", "Head (cream)", "Ears (blue yarn, make 2)",

@@ -18,6 +18,7 @@ _ALONG: Final = frozenset(
 )
 _CLOSES: Final = frozenset(("close", "closed", "shut", "across"))
 _HAVING: Final = frozenset(("having", "increasing", "decreasing", "easing", "spacing", "keeping"))
+FLATTENED: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
 PIECES: Final = frozenset(
     ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
 )

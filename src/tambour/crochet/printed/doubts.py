@@ -164,7 +164,7 @@ def decided(
         if body is not first and what in body.asked and what not in ("pair", "stands", "passed"):
             said = f"this can be read as {first_way}, or as {second_way}: the count speaks for the second"
             source.doubt(said, "say it so that there is one reading", span)
-        elif body is first and what not in _QUIET and what != "open" and (body.stated is None or not body.fit):
+        elif body is first and what not in _QUIET and what != "open" and body.stated is None:
             source.doubt(
                 f"this can be read as {first_way}, or as {second_way}; the first is taken",
                 "a stated count would decide",

@@ -202,6 +202,8 @@ class Headed(State):
                 draft.sure = True
                 self.sound.add(span.start)
         self.understood += 1
+        if read.shut is not None:
+            draft.add(self.source, None, Body([Action("fold", read.shut)]), read.shut)
         for where in read.edged:
             not_drawn(self, where)
         for many, where in read.plain:

@@ -77,6 +77,12 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         return None
     if any(n > 100_000 for n in numbers):
         return None
+    after = c.look()
+    worded = (
+        first.kind == "key" and c.at > at + 1 and tokens[c.at - 1].word.isalpha() and tokens[c.at - 1].kind == "number"
+    )
+    if worded and not first.capital and (after is None or after.kind != "mark"):
+        return None  # "… and whip stitch | round three sides"
     span = Span(first.start, tokens[c.at - 1].end)
     other = any(t.word in _OTHER for t in tokens[at : c.at])
     extra: tuple[Token, ...] = ()

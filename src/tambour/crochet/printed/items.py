@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import STANDING, into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line
@@ -84,6 +85,12 @@ def closes(line: Line) -> bool:
     return isinstance(ends, Action) and ends.name in ("join", "turn")
 
 
+def dyes(items: Sequence[Item]) -> set[tuple[float, ...]]:
+    """The colours that items change to, within their groups too."""
+    own = {tuple(i.numbers) for i in items if isinstance(i, Action) and i.name == "color"}
+    return own.union(*(dyes(i.items) for i in items if isinstance(i, Group)))
+
+
 def goes(item: Item) -> bool:
     """Whether an item is more than a choice of colour or loops, or a chain."""
     return not isinstance(item, Action) or item.name not in ("color", "flo", "blo", "bl", "ch", "mark")
@@ -114,3 +121,34 @@ def evens(items: Sequence[Item]) -> bool:
     names = [(i.name, i.times) for i in items if isinstance(i, Action) and i.name not in ("fo", "color")]
     ends = any(isinstance(i, Action) and i.name == "fo" for i in items)
     return ends and all(isinstance(i, Action) for i in items) and names in ([("sc", 1), ("slst", 1)], [("slst", 1)])
+
+
+def lifts(items: list[Item]) -> bool:
+    """Whether the chain of a round is as high as its first stitch, and no foundation: "Join B in any st, ch 3, dc in each st around"."""
+    rest = [i for i in items if not (isinstance(i, Action) and i.name in ("color", "join", "slst"))]
+    first = rest[0] if rest else None
+    lift = isinstance(first, Action) and first.name == "ch" and first.times <= LIFT
+    return lift and any(map(works, rest[1:]))
+
+
+def lifts_alone(items: list[Item]) -> bool:
+    """Whether a piece would begin with one chain that stitches are not worked into."""
+    rest = [i for i in items if not (isinstance(i, Action) and i.name == "color")]
+    first = rest[0] if rest else None
+    return isinstance(first, Action) and first.name == "ch" and first.times == 1 and any(map(works, rest[1:]))
+
+
+def smooths(items: list[Item]) -> bool:
+    """Whether a sentence works one slip stitch and no more: "Sl st to first sc and fasten off"."""
+    worked = [i for i in items if not isinstance(i, Action) or works(i)]
+    return len(worked) == 1 and isinstance(worked[0], Action) and worked[0].name == "slst" and worked[0].times == 1
+
+
+def flat(item: Item) -> list[Action]:
+    """The actions of an item, one by one."""
+    return [item] * item.times if isinstance(item, Action) else [i for i in item.items if isinstance(i, Action)]
+
+
+def rings(item: object) -> bool:
+    """Whether an item is a ring of several kinds of stitches."""
+    return isinstance(item, Action) and item.name.startswith("MR{")

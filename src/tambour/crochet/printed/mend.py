@@ -88,12 +88,8 @@ def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span], 
                 if at is not None and at == problem.span and line.stated:
                     line = replace(line, items=_gap(line, at, line.stated, fair), again=None)
                 lines.append(line)
-            many = _stated(lines, problem)
-            if fair:
-                said = f"this round makes its {many} stitches on the count that is stated below it, which is not what is made there"
-                told.doubts.append(replace(problem, message=said, warning=True))
-            else:
-                said = f"this round does not fit the one below as that was read: it is taken from its count, {many}"
+            if not fair:  # else only the count below is wrong, which is told there
+                said = f"this round does not fit the one below as that was read: it is taken from its count, {_stated(lines, problem)}"
                 told.unread.append(replace(problem, message=said, warning=True))
             parts[k] = replace(parts[k], lines=tuple(lines))
         pattern, again = mended(replace(pattern, parts=tuple(parts)), told)

@@ -281,8 +281,10 @@ def stated(text: str, row: Row, tokens: list[Token]) -> list[tuple[str, str, Spa
     for k, token in enumerate(tokens[:-1]):
         if token.kind != "key" or token.value not in STATED or tokens[k + 1].word not in (":", "-", "="):
             continue
-        if k and tokens[k - 1].word not in (".", ";", ",", "|", "-", "+") and k > 2:
+        if k and tokens[k - 1].word not in (".", ";", ",", "|", "-", "+", "/") and k > 2:
             continue
+        if k and any(t.kind == "key" and t.value == "not" for t in tokens[:k]):
+            continue  # "No safety eyes - all is embroidered"
         end = row.end
         for later in range(k + 2, len(tokens)):
             ends = (tokens[later].word in (".", ";") and not tokens[later].glued) or tokens[later].word == "."

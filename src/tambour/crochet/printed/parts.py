@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.ends import MOST_AT_TIP
-from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item, Line, Section, written
 from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
@@ -21,11 +19,9 @@ from tambour.crochet.printed.items import (
     bare_count,
     begins_ring,
     founds,
-    goes,
     one_more,
     skips,
     slips_only,
-    span_of,
     works,
 )
 from tambour.crochet.printed.marked import middle
@@ -33,6 +29,7 @@ from tambour.crochet.printed.motifs import net
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
 from tambour.crochet.printed.redyed import colored
+from tambour.crochet.printed.risen import begun, facing
 from tambour.crochet.printed.slips import joined_last, lowered
 from tambour.crochet.printed.tokens import Token
 
@@ -157,7 +154,7 @@ class Draft:
         ):
             items = [Action(self.loops, span), *items, Action("bl", span)]
         if items:
-            self._line(source, head, body, self._begun(head, _facing(items), body), span, notes)
+            self._line(source, head, body, begun(self, head, facing(items), body), span, notes)
 
     def ringed(self) -> bool:
         """Whether all of it is a round without a number: "Work 6 sc in ring." above Round 1."""
@@ -338,48 +335,6 @@ class Draft:
             return written(self.lines, next((n.number for n in rounds if n.number), 1), refers.through)
         return tuple(rounds)
 
-    def _begun(self, head: Head | None, items: list[Item], body: Body) -> list[Item]:
-        """``items`` with the chains at a round's beginning understood, and rows turned where nobody says so."""
-        at = next(
-            (k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0
-        )
-        lead = items[at] if items else None
-        turns = any(isinstance(i, Action) and i.name in ("turn", "edge") for i in items[at : _first_worked(items)])
-        before = next(
-            (line for line in reversed(self.lines) if line.again is not None or any(map(goes, line.items))), None
-        )
-        while before is not None and before.again is not None:
-            before = before.again.lines[-1]
-        last = next((i for i in reversed(before.items) if goes(i)), None) if before is not None else None
-        lifted = isinstance(last, Action) and last.name in ("join", "turn")
-        turned = isinstance(last, Action) and last.name == "turn"
-        several = body.rounds is not None or (head is not None and (len(head.numbers) > 1 or head.many > 1))
-        if several and not any(isinstance(i, Action) and i.name in ("join", "turn") for i in items):
-            lifted = False  # "3rd to 5th rnds: Ch 1. 1 sc in each sc around. Do not join."
-        worked = any(works(line_item) for line in self.lines for line_item in line.items)
-        if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(works, items)):
-            turn = Action("turn", span_of(items[at]))
-            if turned:
-                return [*items, turn]  # rows of which the first is turned already: each ends with its turn
-            if head is not None and not several and self.lines[-1] is before and before.in_round and before.times == 1:
-                self.lines[-1] = replace(
-                    before, items=(*before.items, turn)
-                )  # a row ends with its turn, so that it can be repeated
-                return items
-            return [*items[:at], turn, *items[at:]]
-        if (
-            isinstance(lead, Action)
-            and lead.name == "ch"
-            and lead.times <= LIFT
-            and not turns
-            and not lifted
-            and worked
-        ):
-            next_one = items[at + 1] if at + 1 < len(items) else None
-            if next_one is not None and not (isinstance(next_one, Action) and next_one.name == "skip"):
-                return [*items[:at], *items[at + 1 :]]
-        return items
-
     def leave(self, source: Source) -> None:
         """Ends the edge under way as the text says, before the hook goes back to another: later rounds say nothing of it."""
         if self.off is not None:
@@ -418,23 +373,3 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
-
-
-def _first_worked(items: list[Item]) -> int:
-    """Where the first item stands that works stitches; chains that stand for one are none."""
-    return next(
-        (k for k, i in enumerate(items) if works(i) and not (isinstance(i, Action) and i.name in STANDING)), len(items)
-    )
-
-
-def _facing(items: list[Item]) -> list[Item]:
-    """``items`` with chains that stand for a stitch, or that lift the yarn for the next row, behind the turn that is said after them: "ch 3,
-    turn, dc in each st", "… across, ch 1, turn"."""
-    made = list(items)
-    for k, (one, other) in enumerate(pairwise(items)):
-        if not (isinstance(one, Action) and isinstance(other, Action) and other.name == "turn"):
-            continue
-        ends = k + 2 == len(items) and one.name == "ch" and one.times <= LIFT and any(map(works, items[:k]))
-        if one.name in STANDING or ends:
-            made[k : k + 2] = [other, one]
-    return made

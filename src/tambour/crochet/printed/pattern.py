@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.graph.built import Built
-from tambour.crochet.language.finishes import ASIDE, GUESSED, check_names
+from tambour.crochet.language.finishes import ASIDE, GUESSED, MEANT, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
@@ -21,6 +22,7 @@ from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.hung import hang_on
+from tambour.crochet.printed.items import dyes
 from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
 from tambour.crochet.printed.mend import Found, agreed, mended
 from tambour.crochet.printed.naming import nameless_is
@@ -31,9 +33,12 @@ from tambour.crochet.printed.prose import WRAPPED, text_line
 from tambour.crochet.printed.state import Height, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unheaded import unheaded
+from tambour.crochet.printed.unseen import unseen_told
 from tambour.crochet.words.phrases import Phrases
+from tambour.crochet.words.table import TERMS
 
 NOTHING: Final = "this holds no crochet instructions"
+_TAIL: Final = re.compile(r"\s*(?:[(\[][^()\[\]]{2,30}[)\]]|[-–—|]\s*\w+ \w+)\s*$")  # "(UK terms)", "- US terms"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
 _HINTED = 20  # errors that suggestions are looked for
@@ -105,11 +110,14 @@ class Printed(Headed):
             if built is not None:
                 built = worked_on(halved(closed(built)))
                 pattern = self._assemble(pattern, built, usual)
+                self._yarns_told(pattern)
+                unseen_told(self, pattern, tuple(source.finish), self.lost)
         errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
             raise TambourError(sorted(errors, key=_place))
         if self.title is not None:
-            self.stated.setdefault("title", self.title)
+            self.stated.setdefault("title", (_untermed(self.title[0], self.language.code), self.title[1]))
+        self.stated |= {key: told for key, told in self.hinted.items() if key not in self.stated}
         return replace(
             pattern,
             own=source.own,
@@ -137,6 +145,7 @@ class Printed(Headed):
         )
         if found is None:
             return pattern
+        self.lost = found.lost
         for span in found.lost:
             hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
             source.doubt(UNPLACED, hint, span)
@@ -160,6 +169,23 @@ class Printed(Headed):
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
             source.finish += [] if wrong else [record]
         return with_places(pattern, found)
+
+    def _yarns_told(self, pattern: Pattern) -> None:
+        """Yarns of the list that are meant by another name, and those that nothing is made with."""
+        for said, name in self.palette.meant.items():
+            self.source.doubt(f'{MEANT}: "{said}" is {name}', "call it the same in both", Span(0, 0))
+        lines = [
+            one
+            for part in pattern.parts
+            for line in part.lines
+            for one in (line, *(line.again.lines if line.again else ()))
+        ]
+        used = {hue for line in lines for hue in dyes(line.items)}
+        used |= {tuple(hue) for f in self.source.finish if (hue := getattr(f, "color", None)) is not None}
+        for hue, name, span in dict.fromkeys(self.palette.yarns.values()):
+            if hue not in used:
+                hint = "say which rounds are worked in it, or leave it out of the list"
+                self.source.doubt(f"nothing that was understood is made with the {name} of this list", hint, span)
 
     def _colors_told(self) -> None:
         if self.palette.told:
@@ -331,6 +357,14 @@ def _starts(tokens: list[Token], ringed: bool) -> bool:
         k + 1 for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("with", "join", "color")
     }  # "With MC"
     return any(t.kind == "key" and t.value in starts and k not in yarn for k, t in enumerate(tokens))
+
+
+def _untermed(title: str, code: str) -> str:
+    """A title without the terms that it is written in, which are no name: "Pete (UK terms)"."""
+    tail = _TAIL.search(title)
+    if tail is None or not {*TERMS[code].called, code} & set(re.findall(r"\w+", tail[0].lower())):
+        return title
+    return title[: tail.start()] or title
 
 
 def _place(problem: Problem) -> int:

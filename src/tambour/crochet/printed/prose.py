@@ -27,6 +27,7 @@ from tambour.crochet.printed.notes import (
     stated,
 )
 from tambour.crochet.printed.opening import founds
+from tambour.crochet.printed.preface import prefaced
 from tambour.crochet.printed.sentences import sentences
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
@@ -58,6 +59,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if _said(p, Span(row.tokens[0].start, row.tokens[-1].end)):
         return
     line = text[row.tokens[0].start : row.tokens[-1].end]
+    prefaced(p, row, tokens)
     if forms(p, line, whole) or tallied(p, line, whole):
         return
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
@@ -90,7 +92,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
         return
     if p.mode == "materials":
-        p.palette.listed(line)
+        p.palette.listed(line, row.tokens[0].start)
     said = stated(text, row, tokens) or below(p, row, tokens)
     if p.parts and p.mode != "materials":
         said = [one for one in said if one[0] != "eyes"]  # "Eyes: embroider …" instructs

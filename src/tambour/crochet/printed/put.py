@@ -22,6 +22,31 @@ _SEWN: Final = re.compile(
 _HOW: Final = re.compile(r"\b(?:posts?|shanks?)\b[^.;]*\bbetween\b[^.;]*\bstrands\b", re.IGNORECASE)
 """How eyes are fastened, wherever they are: "Push posts of eyes between strands of a stitch"."""
 
+_OFF: Final = re.compile(r"\b(?:fasten|finish|cut|break|end)\w*\s+(?:off|yarn)\b[^.;\n]*", re.IGNORECASE)
+"""What ends the yarn puts no part anywhere: "fasten off leaving a long tail for sewing"."""
+_INNER: Final = re.compile(
+    r"\b(?:put|place|insert|lay|slip|add|pop|use)\b[^.;]*\b(?:card|cardboard|jar|bottle|wire|beans?|pellets?|magnets?|rattle|bell|squeaker|"
+    r"cotton bud|pipe cleaners?|dowel|chopstick|coins?|pebbles?|marbles?|weights?)\b",
+    re.IGNORECASE,
+)
+"""What lies inside a toy, and is not seen."""
+_SEWS: Final = re.compile(r"\b(?:sew|attach|embroider|stitch)\w*\b", re.IGNORECASE)
+_TELLS: Final = re.compile(r"\W*(?:I|I'm|I've|we|we've)\s", re.IGNORECASE)
+_YOUNG: Final = re.compile(
+    r"\W*if\b.*\b(?:child|children|kids?|bab(?:y|ies)|infants?|toddlers?|under (?:3|three))\b",
+    re.IGNORECASE | re.DOTALL,
+)
+
+
+def beside_the_point(text: str) -> bool:
+    """Whether a sentence that names parts or eyes puts none anywhere: what lies inside, what its writer did herself, what is safe for whom."""
+    if _YOUNG.match(text):
+        return True
+    if _TELLS.match(text):
+        return not re.search(r"\b(?:rounds?|rnds?|rows?|R\d+)\b", text, re.IGNORECASE)
+    return _INNER.search(text) is not None and not _SEWS.search(text)
+
+
 _UNSAID: Final = re.compile(r"(?: [^\W\d_]+)+(?=[.;!\n]|$)")
 
 
@@ -50,7 +75,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     if _HOW.search(text):
         return False
     names = [draft.name for draft in p.parts]
-    if not assembling(spoken(text, names), names) and not _SEWN.search(text):
+    if not assembling(spoken(_OFF.sub(" ", text), names), names) and not _SEWN.search(text):
         return False
     whole = p.source.text.text
     line = whole.rfind("\n", 0, tokens[0].start) + 1

@@ -35,6 +35,7 @@ class Body:
     sides : it goes on around the other side of its foundation chain, after so many of its items (``turned``)
     ends : "close" or "open" when it says how its end is left
     left : sentences that were not understood, and why the first was not; doings : those that make no stitch
+    shut : a sentence that closes the opening after it, pressed flat, by stitches
     asked : wordings that can be read in two ways → their place
     plain : "work 3 rnds even": so many plain rounds that follow it, each with its place
     spread : increases or decreases are spread over the stitches of the round below, and over no others
@@ -68,6 +69,7 @@ class Body:
     left: list[list[Token]] = field(default_factory=list)
     wrong: NotUnderstood | None = None
     doings: list[list[Token]] = field(default_factory=list)
+    shut: Span | None = None
     asked: dict[str, Span] = field(default_factory=dict)
     plain: list[tuple[int, Span]] = field(default_factory=list)
     pending: bool = False

@@ -10,7 +10,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import STUFFING
-from tambour.crochet.language.tree import Action, Item, Line
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.beyond import (
     again_made,
@@ -27,25 +27,28 @@ from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
+from tambour.crochet.printed.doings import works as works_at
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
 from tambour.crochet.printed.headlines import dyed_only
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.hung import joined_in_loops
-from tambour.crochet.printed.items import bare_count, works
+from tambour.crochet.printed.items import bare_count, flat, lifts, lifts_alone, rings, smooths, works
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.put import finishing, stuffed
+from tambour.crochet.printed.put import beside_the_point, finishing, stuffed
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import worked as reckoned
 from tambour.crochet.printed.remarks import chosen, remark
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.stops import founded, held, same_row, turned
 from tambour.crochet.printed.stripes import Plan, blocks, lay, planned, without
 from tambour.crochet.printed.tokens import Token, rows
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
+from tambour.crochet.words.table import TERMS
 
 CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
 
@@ -53,7 +56,6 @@ CHOICE: Final = "this is said for one case or version: it is kept as written, an
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
-_WILL: Final = re.compile(r"\b(?:will|may|might)\b", re.IGNORECASE)
 _GOES_ON: Final = ("repeat", "even", "until", "as", "same")
 
 
@@ -63,13 +65,13 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
     begin = 0
     ends = (".", "!", "?") if any(t.word == "*" for t in tokens) else (".", "!", "?", ";")
     depth = 0
-    held = _held(tokens)
+    kept = held(tokens)
     for at in range(len(tokens) + 1):
-        if at < len(tokens) and at in held:
+        if at < len(tokens) and at in kept:
             continue
         if at < len(tokens):
             depth += (tokens[at].word in OPEN) - (tokens[at].word in ")]}>") if tokens[at].kind == "mark" else 0
-        if at < len(tokens) and (tokens[at].word not in ends or depth > 0 or _same_row(tokens, begin, at)):
+        if at < len(tokens) and (tokens[at].word not in ends or depth > 0 or same_row(tokens, begin, at)):
             continue
         sentence = tokens[begin:at]
         while sentence and sentence[0].word in STARS:
@@ -113,36 +115,9 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
     return any_read
 
 
-def _same_row(tokens: list[Token], begin: int, at: int) -> bool:
-    """Whether the sentence behind the point at ``at`` goes on in the row that the one from ``begin`` begins in a chain: "4 dc in 4th ch from
-    hook. *5 dc in next ch. Rep from * to end of chain."."""
-    after = tokens[at + 1] if at + 1 < len(tokens) else None
-    hooked = any(t.kind == "key" and t.value == "hook" for t in tokens[begin:at])
-    if after is None or not hooked or tokens[begin].value == "ch":
-        return False
-    stop = next((k for k in range(at + 1, len(tokens)) if tokens[k].word in (".", ";")), len(tokens))
-    starred = after.word == "*" or (after.value == "repeat" and any(t.word == "*" for t in tokens[begin:at]))
-    numbered = after.kind == "number" and at + 2 < len(tokens) and tokens[at + 2].kind == "stitch"
-    return starred or (numbered and bare_count(tokens[at + 1 : stop]) is None)
-
-
-def _held(tokens: list[Token]) -> set[int]:
-    """The points between an asterisk and the words that repeat from it, which end no sentence."""
-    held: set[int] = set()
-    begin = -1
-    for at, token in enumerate(tokens):
-        before = tokens[at - 1] if at else None
-        if token.word == "*" and not (before is not None and before.kind == "key" and before.value in ("from", "to")):
-            begin = at
-        elif begin >= 0 and token.kind == "key" and token.value == "repeat":
-            held |= {k for k in range(begin, at) if tokens[k].kind == "mark" and tokens[k].word in ".;"}
-            begin = -1
-    return held
-
-
 def sentence_read(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
-    tokens = _turned(tokens)
+    tokens = turned(tokens, TERMS[p.language.code].heard.said.get("through", ()))
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end
     worked_in(p, begin, end)
@@ -196,7 +171,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
         tokens = tokens[2:]
         note = Span(tokens[0].start, tokens[-1].end)
-        foretells = tokens[0].kind == "stitch" and _WILL.search(p.source.text.text[note.start : note.end])
+        spoken = set(re.findall(r"\w+", p.source.text.text[note.start : note.end].lower()))
+        foretells = tokens[0].kind == "stitch" and spoken & set(TERMS[p.language.code].heard.said.get("foretells", ()))
         stuffs = any(t.value == "stuff" for t in tokens)
         if foretells or (not stuffs and remark(p.source.text.text, tokens)):
             p.passed.append(note)
@@ -208,10 +184,13 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     alone = copies_alone(tokens)
     if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
         return more_copies(p, tokens, more)
-    if finishing(p, tokens):
-        return True
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     span = Span(tokens[0].start, tokens[-1].end)
+    if p.parts and beside_the_point(text) and not any(works_at(tokens, k) for k in range(len(tokens))):
+        p.passed.append(span)
+        return True
+    if finishing(p, tokens):
+        return True
     if p.mode not in ("materials", "abbreviations"):
         if twin_made(p, tokens):
             return True
@@ -231,7 +210,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         return True
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
     draft = p.parts[-1] if p.parts else None
-    tokens = _founded(tokens) if founds(p, near=1) else tokens
+    tokens = founded(tokens) if founds(p, near=1) else tokens
     if said is not None:
         key, fields = said
         amount = STUFFING[_PART[key]] if key in _PART else fields.get("factor")
@@ -259,6 +238,10 @@ def plainly(p: State, tokens: list[Token]) -> bool:
             return p.mode == "assembly" and edging(p, tokens)
         p.mode = ""  # the list ends where a piece begins
     if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
+        comma = next((k for k, t in enumerate(tokens) if t.word == "," and k + 1 < len(tokens)), None)
+        if comma is not None and (instructs(p, tokens[comma + 1 :]) or by_hand(tokens[comma + 1 :])):
+            p.passed.append(Span(tokens[0].start, tokens[comma - 1].end))
+            return sentence_read(p, tokens[comma + 1 :])  # "don't stuff, close with 3 sc"
         p.passed.append(span)
         return True  # "do not fasten off", "do not stuff"
     try:
@@ -268,8 +251,9 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         return edging(p, tokens)
     tied = [i for i in body.items if makes(i)]
     joins = tokens[0].value == "join" or any(t.word == "," and u.value == "join" for t, u in pairwise(tokens))
-    single = joins and len(tied) == 1 and [i.name for i in _flat(tied[0])] == ["sc"]
-    if body.moved is not None and draft is not None and not body.left and (single or not tied):
+    single = joins and len(tied) == 1 and [i.name for i in flat(tied[0])] == ["sc"]
+    chained = any(isinstance(i, Action) and i.name == "ch" and i.times > LIFT for i in body.items)
+    if body.moved is not None and draft is not None and not body.left and (single or not tied) and not chained:
         p.moved = body.moved
         p.tied = Token("stitch", "sc", tied[0].span.start, tied[0].span.end, "sc") if tied else None
         p.lead += [
@@ -303,13 +287,13 @@ def plainly(p: State, tokens: list[Token]) -> bool:
             return False
         p.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
         return True
-    starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
+    starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or rings(i) for i in body.items)
     if draft is None and not starts:
         return False
-    if _lifts_alone(body.items) and not body.hook and (draft is None or p.heading is not None):
+    if lifts_alone(body.items) and not body.hook and (draft is None or p.heading is not None):
         return False  # "Strap: Ch 1, sc in each of the 35 ch": what it is worked into stands elsewhere
-    anew = not (_lifts(body.items) and not body.hook) and any(
-        isinstance(i, Action) and (i.name == "mr" or (i.name == "ch" and i.times > 1) or _ring(i)) for i in body.items
+    anew = not (lifts(body.items) and not body.hook) and any(
+        isinstance(i, Action) and (i.name == "mr" or (i.name == "ch" and i.times > 1) or rings(i)) for i in body.items
     )
     ended = (
         draft is not None and draft.off is not None and anew and not body.curled
@@ -320,7 +304,9 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         draft.lines += p.lead
         p.lead = []
     draft = p.parts[-1]
-    if draft.last and _smooths(body.items):
+    if not body.items:
+        p.passed.append(span)  # "Gather and tie"
+    if draft.last and smooths(body.items):
         body.items = [Action("join", span)]  # one slip stitch at the end evens the edge, and is no round
     _added(p, draft, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
@@ -366,59 +352,6 @@ def _added(p: State, draft: Draft, body: Body, span: Span) -> None:
             draft.loose = draft.lines[-1], edge, last
 
 
-def _lifts(items: list[Item]) -> bool:
-    """Whether the chain of a round is as high as its first stitch, and no foundation: "Join B in any st, ch 3, dc in each st around"."""
-    rest = [i for i in items if not (isinstance(i, Action) and i.name in ("color", "join", "slst"))]
-    first = rest[0] if rest else None
-    lift = isinstance(first, Action) and first.name == "ch" and first.times <= LIFT
-    return lift and any(map(works, rest[1:]))
-
-
-def _lifts_alone(items: list[Item]) -> bool:
-    """Whether a piece would begin with one chain that stitches are not worked into."""
-    rest = [i for i in items if not (isinstance(i, Action) and i.name == "color")]
-    first = rest[0] if rest else None
-    return isinstance(first, Action) and first.name == "ch" and first.times == 1 and any(map(works, rest[1:]))
-
-
-def _turned(tokens: list[Token]) -> list[Token]:
-    """A sentence with "through Round 12" behind the part whose rounds are meant: "Work through Round 12 as for Large Body"."""
-    for k, t in enumerate(tokens[:-3]):
-        if (
-            t.word in ("through", "thru")
-            and tokens[k + 1].value in ("round", "row")
-            and tokens[k + 3].value in ("as", "same")
-        ):
-            end = next((n for n in range(k + 3, len(tokens)) if tokens[n].word in (",", ".", ";", "(")), len(tokens))
-            return [*tokens[:k], *tokens[k + 3 : end], *tokens[k : k + 3], *tokens[end:]]
-    return tokens
-
-
-def _founded(tokens: list[Token]) -> list[Token]:
-    """A sentence that makes a ring "as given for Head", without what only says how."""
-    ring = next((k for k, t in enumerate(tokens[:8]) if t.kind == "key" and t.value == "ring" and t.word != "mc"), None)
-    as_at = next(
-        (k for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("as", "same") and k > (ring or 0)), None
-    )
-    if (
-        ring is None
-        or as_at is None
-        or any(t.kind == "stitch" or t.value in ("repeat", "round", "row") for t in tokens)
-    ):
-        return tokens
-    return tokens[: as_at - (tokens[as_at - 1].word == ",")]
-
-
-def _smooths(items: list[Item]) -> bool:
-    """Whether a sentence works one slip stitch and no more: "Sl st to first sc and fasten off"."""
-    worked = [i for i in items if not isinstance(i, Action) or works(i)]
-    return len(worked) == 1 and isinstance(worked[0], Action) and worked[0].name == "slst" and worked[0].times == 1
-
-
-def _flat(item: Item) -> list[Action]:
-    return [item] * item.times if isinstance(item, Action) else [i for i in item.items if isinstance(i, Action)]
-
-
 def _joined_pieces(tokens: list[Token]) -> bool:
     """Whether a sentence only heads the round that joins two pieces: "Join Legs", "Joining the legs"."""
     plain = all(t.kind in ("word", "ordinal") or t.value == "and" for t in tokens[1:])
@@ -447,7 +380,3 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
                 p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
         return True
     return False
-
-
-def _ring(item: object) -> bool:
-    return isinstance(item, Action) and item.name.startswith("MR{")

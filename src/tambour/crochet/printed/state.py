@@ -100,6 +100,9 @@ class State:
         self.below = ""  # what the next line states, by the heading over it
         self.title: tuple[str, Span] | None = None
         self.stated: dict[str, tuple[str, Span]] = {}
+        self.hinted: dict[
+            str, tuple[str, Span]
+        ] = {}  # the same, told by the way: it is stated where nothing else says it
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
         self.early: dict[str, Any] = {}  # what is said of a part before its first round
@@ -120,6 +123,7 @@ class State:
         self.tied: Token | None = None  # the stitch that yarn was joined with, which the next round begins with
         self.handed = False  # the sentence before this one was something that hands do
         self.edged = False  # it worked along an edge that is no round's
+        self.lost: list[Span] = []  # those of finishing that put nothing anywhere
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
         self.held: list[Held] = []  # words that hold parts to the round that is worked
         self.hanging: tuple[int, Span] | None = (

@@ -7,7 +7,7 @@ from typing import Final
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.counts import closing, counted_at, ends_with_number, makes
-from tambour.crochet.printed.courses import PIECES
+from tambour.crochet.printed.courses import FLATTENED, PIECES
 from tambour.crochet.printed.curls import back_along
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import closed_flat
@@ -60,10 +60,29 @@ class Trade(Dyes):
         finally:
             c.at, self.depth = before, depth
 
+    def closes_flat(self, found: list[Item], begin: int, layers: bool = False) -> bool:
+        """Whether the sentence from token ``begin`` on, which is read then, closes the opening, pressed flat, by stitches: "flatten and close with 4 sc", "fold
+        in half and sc the two sides together (6 sts)". layers : it may name both layers, as others do that are read elsewhere."""
+        c = self.c
+        said = c.tokens[begin : self.end_of_sentence()]
+        worked = [t for t in said if t.kind == "stitch" and t.value in ("sc", "hdc", "dc")]
+        keys = {t.value for t in said if t.kind == "key"}
+        flat = bool(said) and (said[0].word in FLATTENED or said[0].value == "close" or _worked_shut(said))
+        shut = keys & {"close", "together"} or (layers and "thicknesses" in keys)
+        if not (worked and shut and flat) or self.edge is None or keys & {"ring", "round", "row"}:
+            return False
+        if "thicknesses" in keys and not layers:
+            return False
+        found.append(Action("fold", said[0].span))
+        c.at = begin + len(said)
+        return True
+
     def key(self, found: list[Item], token: Token) -> None:
         """A clause that begins with a word of the pattern's own trade."""
         c, word = self.c, token.value
         c.at += 1
+        if word == "close" and self.closes_flat(found, c.at - 1):
+            return
         if word == "around" and c.key("side"):
             self.other_side(found)
         elif word == "in" and c.key("thicknesses"):
@@ -252,7 +271,13 @@ class Trade(Dyes):
         left = False
         while c.look() is not None and not c.mark("."):
             worked = c.kind("stitch", 1) or c.key(*_WORKED, ahead=1) or (c.kind("number", 1) and c.kind("stitch", 2))
-            if (c.mark(",", ";") and worked) or (c.mark("-", "=") and ends_with_number(self, 1)):
+            ahead = 1 + c.key("and", ahead=1)
+            more = c.kind("stitch", ahead) or (c.kind("number", ahead) and c.kind("stitch", ahead + 1))
+            if (
+                (c.mark(",", ";") and worked)
+                or (c.key("and") and more)
+                or (c.mark("-", "=") and ends_with_number(self, 1))
+            ):
                 break
             if c.mark(*OPEN):
                 end = closing(self)
@@ -266,3 +291,8 @@ class Trade(Dyes):
                 self.body.ends = "open"
             left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
             c.at += 1
+
+
+def _worked_shut(said: list[Token]) -> bool:
+    """Whether a sentence works an opening closed: "Single crochet the top of the arm closed"."""
+    return said[0].kind == "stitch" and said[-1].word == "closed" and all(t.kind == "word" for t in said[1:-1])

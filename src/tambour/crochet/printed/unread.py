@@ -48,3 +48,5 @@ def left_over(p: State, tokens: list[Token]) -> None:
         if p.parts and p.mode != "assembly" and any(t.kind == "stitch" for t in tokens):
             p.parts[-1].sure = False
         p.tell(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
+    elif p.parts:
+        p.passed.append(Span(tokens[0].start, tokens[-1].end))

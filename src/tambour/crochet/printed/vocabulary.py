@@ -12,6 +12,7 @@ from tambour.crochet.printed.tokens import Token, rows
 from tambour.crochet.words.table import TERMS, Heard
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
+_SHORT: Final = 4  # letters of a stitch that a point makes short
 _JOINS: Final = frozenset("-.'/")
 _YARNS: Final = frozenset(
     (
@@ -190,6 +191,16 @@ class Vocabulary:
                     )
                 elif value in ("repeat", "stitch"):
                     end += not after.glued and after.kind == "word" and not after.capital
+            if (
+                end + 1 < n
+                and kind == "stitch"
+                and len(last.word) <= _SHORT
+                and tokens[end].word == "."
+                and tokens[end].glued
+            ):
+                after = tokens[end + 1]  # "8 sc. in a magic ring; 8 inc. = 16 sc.; *9 sc., 1 dec.*"
+                goes_on = (after.kind == "mark" and after.glued and after.word in ",;*:)]") or after.word == "="
+                end += goes_on or (not after.glued and not after.capital and after.word in ("in", "into", "around"))
             at = end
         return made
 

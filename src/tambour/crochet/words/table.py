@@ -87,6 +87,7 @@ class Heard:
 
     words : concept → spellings; stitches : standard name → spellings
     kinds : the same, of stitches whose ``increases`` and ``decreases`` the reader makes by itself
+    said : what sentences are known by that tell no stitches → its words, which are no words of rounds
     fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
     labels : words that number parts of a pattern: "Part 3: Pot"
     """
@@ -94,6 +95,7 @@ class Heard:
     words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     stitches: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     kinds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    said: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     increases: tuple[str, ...] = ()
     decreases: tuple[str, ...] = ()
     fillers: tuple[str, ...] = ()

@@ -1,0 +1,63 @@
+"""Printed patterns, unseen: what hands do that one would see on the toy, and that its pictures do without: told."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.finishes import UNSEEN, Finish
+from tambour.crochet.language.tree import Pattern
+from tambour.crochet.places.assembling import ALL
+from tambour.crochet.printed.state import State
+from tambour.crochet.words.table import TERMS
+
+_SENTENCE: Final = re.compile(r"[^.!?;]+")
+_PARTED: Final = re.compile(r"\band\b|[,:]")
+
+
+@lru_cache(maxsize=16)
+def _words(code: str, key: str, before: str = "", after: str = r"\b") -> re.Pattern[str]:
+    said = TERMS[code].heard.said.get(key, ())
+    return re.compile(rf"{before}(?:{'|'.join(map(re.escape, said)) or '(?!)'}){after}", re.IGNORECASE)
+
+
+def shows(words: str, code: str, sewn: bool = False) -> bool:
+    """Whether a sentence has hands do what one sees: sew something on, knot hair, tie a bow, fold a rim. sewn : it was heard as one that puts
+    parts together."""
+    if sewn:
+        return not _words(code, "hides", r"\b").search(words) and not ALL.search(words.lower())
+    leads = "|".join(map(re.escape, TERMS[code].heard.said.get("leads", ()))) or "(?!)"
+    does, hides = _words(code, "shows", rf"^\W*(?:(?:{leads})\W+)*"), _words(code, "hides", r"\b")
+    return any(does.search(clause) and not hides.search(clause) for clause in _PARTED.split(words))
+
+
+def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: list[Span]) -> None:
+    """Tells every such sentence that nothing came of: neither a round, nor a part in its place, nor a face."""
+    if not pattern.parts:
+        return
+    code, text = p.language.code, p.source.text.text
+    first = min(part.span.start for part in pattern.parts)
+    known = (
+        [f.span for f in finish]
+        + lost
+        + [q.span for q in (*p.unread, *p.source.problems) if q.span and q.span.end > q.span.start]
+    )
+    notes = [note for part in pattern.parts for line in part.lines for note in line.notes]
+    said = {one.span for one in p.sentences}
+    kept = [span for span in (*p.passed, *notes, *said) if span.start >= first]
+    told: set[int] = set()
+    for span in sorted(kept, key=lambda s: s.start):
+        for m in _SENTENCE.finditer(text, span.start, span.end):
+            begin = m.start() + len(m[0]) - len(m[0].lstrip())
+            if (
+                begin in told
+                or any(s.start < m.end() and begin < s.end for s in known)
+                or not shows(m[0], code, span in said)
+            ):
+                continue
+            told.add(begin)
+            p.source.doubt(
+                UNSEEN, "say where it goes, or leave it as it is: the booklet keeps it", Span(begin, m.end())
+            )

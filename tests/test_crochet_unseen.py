@@ -1,0 +1,165 @@
+"""Printed patterns, nothing that hands do is lost: it is read, or told, and what needs no telling is not."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.graph.check import tech_edit
+from tambour.crochet.language.finishes import UNSEEN, Embroidery, Eye
+from tambour.crochet.language.tree import Action, Pattern
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import worked
+from tambour.crochet.printed.choose import read
+
+TOP = "Pip\n\nMATERIALS\nYarn: DK in white\n"
+HEAD = "HEAD\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnds 4-8: sc around (18)\n"
+END = "Rnd 9: (sc, dec) x 6 (12)\nRnd 10: dec x 6 (6)\nFasten off.\n"
+
+
+def pattern(words: str, end: str = END) -> Pattern:
+    return read(Text(f"{TOP}\n{HEAD}{end}{words}\n", "pip.txt"))
+
+
+def told(made: Pattern) -> list[str]:
+    """The sentences that something is said of."""
+    problems = [p for p in (*made.unread, *made.warnings) if p.span and p.span.end > p.span.start]
+    return [" ".join(made.text.text[p.span.start : p.span.end].split()) for p in problems if p.span]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Make a white pompom about 4 cm across using a fork.",
+        "Take the straps over the shoulders, cross them at the back and knot them.",
+        "Fold each strand in half and knot it along the parting.",
+        "Gather into two bunches and tie with a ribbon.",
+        "Tie a ribbon round the neck.",
+        "Fold the rim to the outside.",
+        "Brush a little blusher here and there.",
+        "Run the yarn through one end of the tube, pull tight and secure.",
+    ],
+)
+def test_what_one_would_see_and_the_pictures_do_without_is_told(words: str) -> None:
+    made = pattern(f"Stuff.\n{words}")
+    assert [p.message for p in made.warnings if p.span and p.span.end] == [UNSEEN]
+    assert told(made)[0] in words
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Weave in all ends.",
+        "Stuff the head firmly.",
+        "Move the marker up each round.",
+        "Ss into next st and fasten off leaving a long tail for sewing. Stuff really well.",
+        "I put half a cotton bud in there so her head doesn't wobble.",
+        "Put the card in the bottom.",
+        "If giving to a child under 3 please embroider the eyes instead!",
+        "Trim the tail.",
+    ],
+)
+def test_what_is_not_seen_is_not_told(words: str) -> None:
+    assert told(pattern(words)) == []
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Fit the eyes between R5 and R6, 7 stitches apart.",
+        "Pop your safety eyes in between R5 and R6, 7 stitches apart.",
+        "-> eyes: between R5 and R6, 7 sts apart.",
+        "Eyes between R5 and R6, 7 sts apart",
+    ],
+)
+def test_eyes_are_put_where_a_sentence_of_any_verb_or_of_none_says(words: str) -> None:
+    made = pattern(words)
+    assert [(f.spot.round) for f in made.finish if isinstance(f, Eye)] == [5.5, 5.5] and not told(made)
+
+
+@pytest.mark.parametrize(
+    "words", ["Cheeks: pink, 2 little lines under each eye.", "Two short lashes on the outside of each eye."]
+)
+def test_a_face_is_drawn_where_no_verb_is_said(words: str) -> None:
+    made = pattern(f"Insert the eyes between R5 and R6, 7 sts apart.\n{words}")
+    assert any(isinstance(f, Embroidery) for f in made.finish) and not told(made)
+
+
+def test_a_list_that_says_no_safety_eyes_wants_none() -> None:
+    text = f"{TOP}No safety eyes - everything is embroidered\n\n{HEAD}{END}"
+    built, _ = worked(Text(text, "pip.txt"), CrochetParams())
+    assert not tech_edit(built)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Stuff lightly. Flatten and sc across with 6 sc to close. FO.",
+        "Flatten and close with 9 sc. Leave a tail for sewing.",
+        "Fold the bottom in half and sc the two sides together (9 sts).",
+        "Don't stuff, close with 9 sc.",
+        "Single crochet the top of the arm closed.",
+        "Press the opening flat and crochet 9 sc through both sides to close.",
+    ],
+)
+@pytest.mark.parametrize("line", ["\n", " "])
+def test_an_opening_is_closed_flat_by_stitches(words: str, line: str) -> None:
+    made = read(Text(f"{TOP}\n{HEAD.rstrip()}{line}{words}\n", "pip.txt"))
+    names = [i.name for part in made.parts for n in part.lines for i in n.items if isinstance(i, Action)]
+    assert "fold" in names[-2:] and not made.unread
+    assert made.built is not None and [w.made for w in made.built.worked if w.line.number in range(4, 9)] == [18] * 5
+
+
+@pytest.mark.parametrize("words", ["7. - 9. (3 rows) unchanged (18);;", "Rnd 9: sc around (18);; . Fasten off"])
+def test_marks_without_words_are_no_sentence(words: str) -> None:
+    assert pattern("", words).parts
+
+
+def test_yarn_that_is_joined_elsewhere_for_a_chain_is_not_lost() -> None:
+    made = pattern(
+        "BIB\nCh 9\nRow 1: sc in 2nd ch from hook and in each ch, turn. (8)\nFasten off. Rejoin at the other corner, ch 22, fasten off."
+    )
+    assert told(made) == ["Rejoin at the other corner, ch 22, fasten off"]
+
+
+def test_round_in_the_middle_of_a_sentence_begins_none() -> None:
+    made = pattern("Hold the squares together and whip stitch\nround three sides in white.")
+    assert sum(line.in_round for part in made.parts for line in part.lines) == 6
+
+
+def test_the_point_of_a_short_stitch_ends_no_sentence() -> None:
+    words = "1st rnd: 8 sc. in a magic ring;\n2nd rnd: 8 inc. = 16 sc.;\n3rd rnd: *7 sc., 1 inc.* = 18 sc.\n4th rnd: 18 sc. Fasten off.\n"
+    made = read(Text(f"{TOP}\nHEAD\n{words}", "pip.txt"))
+    assert not made.unread and made.built is not None
+    assert [w.made for w in made.built.worked if w.line.in_round] == [8, 16, 18, 18]
+
+
+@pytest.mark.parametrize(
+    "heading, again, many",
+    [
+        ("ARMS (2)", "Make the second arm the same way.", 2),
+        ("ARM", "Make the second arm the same way.", 2),
+        ("ARM", "Make another arm.", 2),
+        ("ARM", "", 1),
+    ],
+)
+def test_a_second_arm_is_no_third(heading: str, again: str, many: int) -> None:
+    made = pattern(f"\n{heading}\nRnd 1: 6 sc in magic ring (6)\nRnds 2-8: sc around (6)\nFasten off.\n{again}")
+    assert made.parts[-1].copies == many
+
+
+def test_chains_after_a_round_that_is_closed_are_not_lost() -> None:
+    made = pattern(
+        "\nANTENNA\nRnd 1: 6 sc in a mr, close the rnd with a sl st and then crochet 5 chs very tightly\nFasten off."
+    )
+    names = [(i.name, i.times) for n in made.parts[-1].lines for i in n.items if isinstance(i, Action)]
+    assert ("ch", 5) in names
+
+
+@pytest.mark.parametrize(
+    "hook, doubted", [(1.0, True), (9.0, True), (2.25, False), (3.0, False), (5.0, False), (6.5, False)]
+)
+def test_a_hook_that_no_hand_works_a_yarn_with_is_doubted(hook: float, doubted: bool) -> None:
+    text = f"Pip\nDK cotton yarn in cream\n\n{HEAD}{END}"
+    _, problems = worked(Text(text, "pip.txt"), CrochetParams(hook=hook))
+    assert any("hook" in p.message for p in problems) == doubted
