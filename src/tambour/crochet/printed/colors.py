@@ -10,7 +10,8 @@ from tambour.core.rgb import RGB, css_colors, unhexed
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.items import works
-from tambour.crochet.printed.shades import dyed, listed, said, shelf
+from tambour.crochet.printed.shades import dyed, listed, said
+from tambour.crochet.printed.shelf import shelf
 
 _HEADING: Final = 400
 """Letters of a part's heading that may name its yarn."""

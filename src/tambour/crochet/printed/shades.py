@@ -298,8 +298,8 @@ def _lettered(line: str) -> dict[str, str]:
     return found
 
 
-_YARN: Final = re.compile(r"\b(?:yarn|cotton|wool|acrylic|dk|worsted|aran|balls?|skeins?|\d+\s?g)\b", re.IGNORECASE)
-_NO_YARN: Final = re.compile(
+YARN: Final = re.compile(r"\b(?:yarn|cotton|wool|acrylic|dk|worsted|aran|balls?|skeins?|\d+\s?g)\b", re.IGNORECASE)
+NO_YARN: Final = re.compile(
     r"\b(?:stuffing|fib(?:er|re)fill|eyes?|felt|floss|thread|buttons?|hook|needle)\b", re.IGNORECASE
 )
 _SEVERAL: Final = re.compile(
@@ -321,41 +321,11 @@ def listed(line: str) -> dict[str, str]:
 def _first(line: str) -> str | None:
     """The first of several colours that a line names of one yarn: "Catona (cotton, 50 g): Light Grey (1 ball), Pink, White"."""
     for item in line.split("\n"):
-        if _YARN.search(item) and not _NO_YARN.search(item):
+        if YARN.search(item) and not NO_YARN.search(item):
             names = (m[1].strip() for m in _SEVERAL.finditer(item))
             if found := next((name for name in names if len(name.split()[0]) > 1 and dyed(name) is not None), None):
                 return found
     return None
-
-
-_BEGUN: Final = re.compile(r"(?::|\bin|\bcolou?rs?)[ \t]+(?=[A-Za-z])")
-_ITEM: Final = re.compile(r"[A-Za-z][A-Za-z’' -]{1,30}")
-_ALSO: Final = re.compile(r"\(([A-Za-z][A-Za-z -]{2,24})\)")
-_MUCH: Final = re.compile(
-    r"\b(?:amount|scraps?|balls?|skeins?|little|bits?|leftovers?|yards?|optional|for|only|each)\b", re.IGNORECASE
-)
-
-
-def shelf(line: str) -> list[tuple[str, str, int]]:
-    """Every colour that a line names of a yarn: its name, what else it is called ("Terracotta (Copper)"), and where it stands."""
-    if not _YARN.search(line) or _NO_YARN.search(line):
-        return []
-    for begin in _BEGUN.finditer(line):
-        found, at = [], begin.end()
-        for item in re.split(r"([,;&.]|\band\b)", line[begin.end() :]):
-            name = _ITEM.match(item.strip())
-            also = _ALSO.search(item)
-            words = name[0].strip() if name is not None else ""
-            while words[:1].islower() and " " in words and shade(words) is None:
-                words = words.partition(" ")[2]  # "plus Red"
-            named = shade(words) is not None or (words[:1].isupper() and dyed(words) is not None)
-            if named and len(words.split()) <= 3 and not _YARN.search(words) and not re.search(r"\bfor\b", item):
-                other = also[1] if also is not None and len(also[1]) > 2 and not _MUCH.search(also[1]) else ""
-                found.append((words, other, at + item.index(words)))
-            at += len(item)
-        if found and found[0][2] - begin.end() < 3:
-            return found
-    return []
 
 
 def dyed(name: str) -> RGB | None:
