@@ -56,6 +56,8 @@ class Hosts(Likely):
         """Gives a put its host: what was said, or what such parts are usually on; never what would hide it."""
         main, head = self.main, self.of_kind("head")
         kind, made = p.kind, p.copies[0][0]
+        if (p.host is None or p.guess) and (after := self._named_after(made)) is not None:
+            p.host = (after, 0 if after.copies == len(p.copies) else 1)  # the cup's handle is on the cup
         if p.host is None or p.host in p.copies:
             own = head in [c[0] for c in p.copies]
             p.host = (self.bearer if head is None or own or not self._goes_on_head(p) else head, 1)
@@ -92,6 +94,12 @@ class Hosts(Likely):
             ears = [m for m in self.parts if m.kind == "ear" and m != made]
             if ears and ears[0].copies >= len(p.copies):
                 p.host = (ears[0], 0)
+
+    def _named_after(self, made: Made) -> Made | None:
+        """The part by which another is called, that is neither worn nor a head or a body: "wheel flower", "cup handle"."""
+        before = set(made.words[:-1])
+        found = [m for m in self.parts if m != made and m.words and m.words[-1] in before and not m.worn]
+        return next((m for m in found if m.kind not in ("head", "body") and m.words != made.words), None)
 
     def _off_what_hides(self, p: Put) -> None:
         """Limbs off patches, a beard off the beak or the hat that it would hide: each on what these lie on."""

@@ -141,6 +141,8 @@ class Made:
         found = self.kinds
         if self.likely or not found:
             return self.likely
+        if self.copies == 1 and self.vessel:
+            return ""  # a plate to eat from is no dragon's
         if found[0] == "worn" and "bow" in found:
             return "bow"
         if {"arm", "leg"} <= set(found):
