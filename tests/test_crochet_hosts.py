@@ -5,6 +5,7 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
+from tambour.crochet.finish.joining import join, prepare
 from tambour.crochet.finish.sound import faults
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
@@ -13,6 +14,7 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.places.stand import Host, Stand, numbers_of
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
+from tambour.crochet.settle.arrange import parts
 
 BALL = """{0}
 Rnd 1: 6 sc in MR (6)
@@ -154,6 +156,79 @@ def test_two_arms_with_rounds_of_their_own_are_on_the_part_that_is_named_and_poi
     assert [(r.spot.part, r.spot.round) for r in arms] == [("CACTUS", 7.5), ("CACTUS", 5.5)]
     assert all(r.towards < 90 or r.towards > 270 for r in arms)
     assert any(90 < plain[r.part].towards < 270 for r in arms)
+
+
+def test_a_cups_handle_is_on_the_cup_and_a_plate_is_no_dragons() -> None:
+    body = BALL.format("TEA CUP") + BALL.format("TEAPOT") + LIMB.format("CUP HANDLE") + DISC.format("PLATE")
+    found = placed(read(body, "Sew the ends of the handle between rounds 5 and 8.", "Tea Set"))
+    assert found["CUP HANDLE"].spot.part == "TEA CUP" and "PLATE" not in found
+
+
+def test_hands_of_their_own_are_at_the_ends_of_the_arms() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + LIMB.format("ARM (make 2)") + DISC.format("HAND (make 2)")
+    found = placed(read(body, "Sew the head to the body.", "Doll"))
+    assert [found[f"HAND.{k}"].spot.part for k in (1, 2)] == ["ARM.1", "ARM.2"]
+
+
+def test_of_a_pair_of_limbs_that_is_there_twice_the_larger_is_seen() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + DISC.format("ARMS (make 2)") + LIMB.format("ARM (make 2)")
+    found = placed(read(body, "Sew the head to the body. Sew arms to the sides of the body.", "Gnome"))
+    assert {name.split(".")[0] for name in found} & {"ARM", "ARMS"} == {"ARM"}
+
+
+def test_a_part_whose_round_was_not_read_is_where_such_parts_usually_are() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + DISC.format("EARS (make 2)")
+    found = placed(read(body, "Sew the head to the body. Sew ears to the head between rounds 40 and 41.", "Mouse"))
+    assert [found[f"EARS.{k}"].spot.part for k in (1, 2)] == ["HEAD", "HEAD"]
+    assert all(1 <= found[f"EARS.{k}"].spot.round <= 12 for k in (1, 2))
+
+
+def test_two_pieces_of_a_head_are_one_head_and_bear_the_face() -> None:
+    body = BALL.format("HEAD (make 2)") + BALL.format("BODY") + DISC.format("EARS (make 2)")
+    pattern = read(body, "Sew the head to the body. With black, embroider eyes.", "Bear")
+    assert [name for name in placed(pattern) if name.startswith("HEAD")] == ["HEAD.1"]
+    assert {r.spots[0].part for r in pattern.finish if isinstance(r, Embroidery)} == {"HEAD.1"}
+
+
+def test_spikes_end_above_the_tail() -> None:
+    body = BALL.format("BODY") + LIMB.format("TAIL") + DISC.format("SPIKES (make 4)") + BALL.format("HEAD")
+    built = build(read(body, "Sew the head to the body.", "Dragon"))
+    stand = Stand(Spots(built))
+    found = placed(built.pattern)
+    high = {name: float(stand.frame(r.spot).points[0][1]) for name, r in found.items() if r.spot.part == "BODY"}
+    assert min(y for name, y in high.items() if name.startswith("SPIKES")) > high["TAIL"]
+
+
+PEAR = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnd 6: (4 sc, inc) x 6 (36)
+Rnds 7-14: sc around (36)
+Rnd 15: (dec) x 18 (18)
+Rnds 16-17: sc around (18)
+Stuff. Fasten off, leaving a long tail for sewing.
+
+"""
+
+
+def test_an_arm_on_a_narrow_neck_leans_out_over_the_belly_and_is_not_inside_of_it() -> None:
+    body = BALL.format("HEAD") + PEAR + LIMB.format("ARMS (make 2)")
+    pattern = read(body, "Sew the head to the body. Sew arms to the body at round 16.", "Bear")
+    built = build(pattern)
+    joining = prepare(built)
+    assert joining is not None
+    x = join(joining, joining.spots.layout, parts(built.graph)).x
+    spots, graph = joining.spots, built.graph
+    wide = max(np.ptp(x[p.start : p.end, 0]) for p in graph.parts if p.name == "BODY")
+    middle = x[[k for p in graph.parts if p.name == "BODY" for k in range(p.start, p.end)], 0].mean()
+    for k in (1, 2):
+        own = graph.parts[spots.parts[f"ARMS.{k}"]]
+        arm = x[own.start : own.end]
+        low = arm[arm[:, 1] < np.median(arm[:, 1])]
+        assert (np.abs(low[:, 0] - middle) > 0.8 * (0.5 * wide)).mean() > 0.5
 
 
 @pytest.mark.slow

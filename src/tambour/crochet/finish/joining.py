@@ -289,11 +289,13 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         frame = frame_of(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
         straight = sewing.brought(x, own, how, *sewing.ways(f, end, frame, False), frame.points[0])
-        ways = sewing.ways(f, end, frame)
-        moved = sewing.brought(x, own, how, *ways, frame.points[0])
         fixed = np.concatenate([bodies[b] for b in group[body[other]]])
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
         at_end = np.isin(own, end.nodes)
+        if built.pattern.terms:
+            f = sewing.swung_out(x, own, how, f, end, frame, at_end, x[fixed], outward[fixed])
+        ways = sewing.ways(f, end, frame)
+        moved = sewing.brought(x, own, how, *ways, frame.points[0])
         rank = np.searchsorted(own, end.nodes)
         low, lid = rim_on(built, spots, f, end), lid_on(built, spots, f, end)
         fabric = low if len(low) else lid if len(lid) else bodies[body[other]]

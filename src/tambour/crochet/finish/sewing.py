@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,6 +23,8 @@ UNDER = -0.6
 """Fabric whose outward normal falls more steeply than this (37 degrees) is underneath: parts on it look ahead, not down."""
 MOST_LIFT = 5.0
 """Stitches that a part is moved out at the most to be clear of others: a hand would push them aside, not sew it on in the air."""
+SWING, NEARLY = 15.0, 3.5
+"""By so many degrees a part leans less at a time until it is clear, or nearly, by so many stitches, of what it would be inside of."""
 AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 OFF = 0.75
@@ -235,6 +237,23 @@ def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, host: Arr
         if lift < MOST_LIFT:
             return np.asarray(moved + lift * n)
     return moved
+
+
+def swung_out(
+    x: Array, own: Array, how: Held, placed: Placed, end: End, frame: Frames, sewn: Array, others: Array, outward: Array
+) -> Placed:
+    """``placed`` leaning no more than lets its part be outside of the fabric ``others`` (J, 3): an arm sewn to a narrow neck
+    leans out over the belly below, and does not hang down inside of it. Where no angle does that, the one that is nearest."""
+    best, least = placed, math.inf
+    for back in np.arange(0.0, placed.tilt + 1.0, SWING):
+        tried = replace(placed, tilt=placed.tilt - float(back))
+        moved = brought(x, own, how, *ways(tried, end, frame), frame.points[0])
+        lift = _lift(moved, sewn, others, outward, frame.normals[0])
+        if lift < NEARLY:
+            return tried
+        if lift < least - NEARLY:
+            best, least = tried, lift
+    return best
 
 
 def _lift(moved: Array, sewn: Array, others: Array, outward: Array, n: Array) -> float:

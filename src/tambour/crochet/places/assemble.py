@@ -62,6 +62,9 @@ class Assembly(Hosts):
         self.parts = [p for p in self.parts if not any(r.part == p.name for r in self.around)]
         half = {k for pair in halves(built) for k in pair}
         both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
+        one = any(p.kind == "body" and (p.single or p.name in both) for p in self.parts)
+        # A toy of one body has one head: its two pieces are halves of it, joined by a gusset.
+        both |= {p.name for p in self.parts if one and p.kind == "head" and p.copies == 2}
         self.parts = [replace(p, halved=p.name in both) for p in self.parts]
         for k, before in onward(
             built
@@ -193,7 +196,8 @@ class Assembly(Hosts):
         """Puts for parts that no sentence speaks of, and whose name says what they are."""
         taken, main = self._taken(), self.main
         if self._outfit():
-            self.made.apart += [p.name for p in self.parts if p != main and (p, 1) not in taken]
+            self.heard.puts = [p for p in self.heard.puts if p.host is not None]
+            self.made.apart += [p.name for p in self.parts if p != main and (p, 1) not in self._taken()]
             return
         order = len(self.heard.puts) + len(self.heard.features) + len(self.heard.exact)
         for part in self.parts:
@@ -256,6 +260,10 @@ class Assembly(Hosts):
                     self.made.apart.append(free[0][0].name)
                     continue
                 p.host = (main, 1)  # in its sleeves, and sewn to the body under them
+            if free and free[0][0].halved and free[0][0].kind == "head":
+                seen.update(free)
+                self.made.behind += [free[0][0].name] if len(free) > 1 else []
+                free = free[:1]
             if free and self._another(p, puts):
                 seen.update(free)
                 self.made.apart.append(p.copies[0][0].name)

@@ -218,10 +218,11 @@ class Facer(Putter):
 
     def feature(self, f: Feature) -> list[Finish]:
         """Something that is embroidered, or cheeks of felt."""
-        name = f.what
+        work, name = self.work, f.what
         host = self._faced(f, name)
         if name == "hair":
-            return [self._hair(host, f)]
+            bare = work.of_kind("head") if host.name in {p.copy(1) for p in work.parts if p.kind == "hat"} else None
+            return [self._hair(host if bare is None else work.host((bare, 1)), f)]  # not on the crown of a princess
         if f.where.rounds is not None and not self.stand.there(Spot(host.name, 0.5 * sum(f.where.rounds[:2]), None)):
             return [Embroidery((Spot(host.name, f.where.rounds[0], None, f.span),), span=f.span, motif=name)]
         tall = None

@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import BLO, FLO
 from tambour.crochet.finish import sewing
+from tambour.crochet.finish.capped import rim_on
 from tambour.crochet.finish.joining import BODY, GATHER
 from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
@@ -195,6 +196,9 @@ class Holder(Beside):
             across = min(across, rim / (2.0 * math.pi) / 0.9)  # a cap over an open end is sewn where it is as wide
         if edge / (2.0 * math.pi) <= _WIDE * across:
             return None
+        spots = self.work.spots
+        if len(rim_on(spots.built, spots, placed, sewing.end_of(spots.built, spots, placed))):
+            return None  # a loose cap comes down over all of it
         own = self.work.host(
             (next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name), 1)
         )

@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.crochet.places.hear import Put
 from tambour.crochet.places.likely import Likely
-from tambour.crochet.places.names import Made
+from tambour.crochet.places.names import SIDED, Made
 from tambour.crochet.places.usual import usual
 
 LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
@@ -19,6 +19,8 @@ _ON_FACES: Final = frozenset(("eye", "nose", "muzzle", "beak", "cheek"))
 _CROWNING: Final = frozenset(("bow", "leaf", "stem", "tuft"))
 """Kinds of things that are put on a head, and on the hat or the hair over it where it has one."""
 
+_ENDS: Final = SIDED | frozenset("front back hind fore rear upper lower top bottom".split())
+"""Words by which one pair of limbs is told from the other."""
 _CLOTHES: Final = re.compile(r"\b(?:outfit|clothes|clothing|wardrobe|accessories|costume|cardigan|dress)\b")
 """What titles of patterns for clothes say."""
 
@@ -37,14 +39,15 @@ class Hosts(Likely):
     def _another(self, p: Put, puts: list[Put]) -> bool:
         """Whether limbs are of another version of the toy, or a piece of those that are there: a pair is at that place already."""
         made = p.copies[0][0]
-        if p.kind not in ("ear", "arm") or "inner" in made.words or p.where.rounds is not None:
+        if p.kind not in ("ear", "arm", "leg") or "inner" in made.words or p.where.rounds is not None or made.tipped:
             return False
         for q in puts:
             other = q.copies[0][0]
             if q.kind != p.kind or q.host != p.host or "inner" in other.words or q.where.words != p.where.words:
                 continue
-            if len(q.copies) == len(p.copies) == 2 and (p.kind == "ear" or other.words == made.words):
-                if p.kind == "arm" and self.size(made) > self.size(other):
+            same = other.words == made.words or (p.guess and q.guess and not (_ENDS & {*made.words, *other.words}))
+            if len(q.copies) == len(p.copies) == 2 and (p.kind == "ear" or same):
+                if p.kind != "ear" and self.size(made) > self.size(other):
                     p.copies, q.copies = q.copies, p.copies  # a sleeve's end is the piece of an arm
                 return True
         return False
@@ -81,12 +84,16 @@ class Hosts(Likely):
         hats = [m for m in every if m.kind == "hat" and m.single and m != made]
         if kind == "hat" and hair and hair[0] != made and p.host[0] not in hair and not p.where.says:
             p.host = (hair[0], 1)  # over the hair, not inside of it
-        if kind in _CROWNING and p.host[0] == head and hats and p.where.rounds is None and not p.where.beside:
+        crowned = p.host[0] == head or (head is None and p.host[0] == main and self._goes_on_head(p))
+        if kind in _CROWNING and crowned and hats and p.where.rounds is None and not p.where.beside:
             p.host = (next((m for m in hats if not m.hair), hats[0]), 1)
-        if kind == "foot" and made.shod and p.host[0] == main and p.where.rounds is None:
-            legs = [m for m in self.parts if m.kind == "leg" and m.copies == len(p.copies) and m != made]
-            if legs:  # shoes are at the ends of its legs
-                p.host = (legs[0], 0)
+        if (made.shod or made.tipped) and p.host[0] == main and p.where.rounds is None:
+            limb = "leg" if made.shod else "arm"
+            limbs = [
+                m for m in self.parts if m.kind == limb and m.copies == len(p.copies) and m != made and not m.tipped
+            ]
+            if limbs:  # shoes and hands are at the ends of its legs and arms
+                p.host = (limbs[0], 0)
                 p.where = replace(p.where, beside=(), words=frozenset(("tip",)))
         if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
             p.host = (necks, 1)
@@ -121,5 +128,5 @@ class Hosts(Likely):
         kinds = {kind for p in self.parts for kind in p.kinds}
         if self.heard.features or kinds & {"head", "face", "eye", "ear", "muzzle", "nose", "beak"}:
             return False
-        limbs = kinds & {"arm", "tail", "wing", "fin", "horn"}
+        limbs = {p.kind for p in self.parts} & {"arm", "tail", "wing", "fin", "horn"}
         return _CLOTHES.search(self.text.lstrip().split("\n")[0]) is not None or ("worn" in kinds and not limbs)

@@ -7,6 +7,8 @@ from typing import Final
 
 import numpy as np
 
+from tambour.crochet.finish import sewing
+from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import Holder
@@ -23,6 +25,8 @@ _RIM, _RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 _ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
 """A head on the neck of what lies: its back on the neck, its nose ahead."""
+_BESIDE_BELLY: Final = -0.15
+"""How high the arms of a ball with a face are."""
 
 
 class Jointer(Holder):
@@ -119,3 +123,15 @@ class Jointer(Holder):
             if float(self.stand.frame(spot).normals[0][1]) < -_DOWN:
                 return spot
         return wanted
+
+    def _lids(self, copy: Copy, spot: Spot) -> bool:
+        """Whether a part is a disc as wide as the round that is said: it is sewn into it all round, as soil in a pot."""
+        record, spots = Placed(copy[0].copy(copy[1]), spot), self.work.spots
+        there = self.stand.there(spot)
+        return there and len(lid_on(spots.built, spots, record, sewing.end_of(spots.built, spots, record))) > 0
+
+    @staticmethod
+    def _below_face(way: Way) -> Way:
+        """Arms of a ball are beside its belly, and not beside its eyes."""
+        x, y, z = way.at
+        return replace(way, at=(x, _BESIDE_BELLY, max(z, 0.25))) if abs(x) > 0.6 and y > _BESIDE_BELLY else way

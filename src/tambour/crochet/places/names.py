@@ -51,7 +51,7 @@ _KINDS: Final[dict[str, str]] = {
     "handle": "handle spout",
     "worn": "dress bib necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
     "trouser short legging jean knicker diaper tutu swimsuit romper pajama bandana necklace headband tiara bag purse basket blanket "
-    "strap lace tie gusset scarf belt sleeve emblem bracelet glasses edging trim ruffle garland wreath clothe saddle bridle",
+    "strap lace tie gusset scarf belt sleeve emblem bracelet armband band glasses edging trim ruffle garland wreath clothe saddle bridle",
 }
 KINDS: Final[dict[str, str]] = {word: kind for kind, words in _KINDS.items() for word in words.split()}
 """Word → kind."""
@@ -64,6 +64,7 @@ _HAIR: Final = frozenset("hair wig haar perücke pelo peluca cheveux perruque pr
 _SHOES: Final = frozenset(
     "shoe boot bootie sandal slipper schuh stiefel zapato bota chaussure botte schoen laars".split()
 )
+_HANDS: Final = frozenset("hand glove mitten handschuh fäustling mano guante main gant want".split())
 _HALVES: Final = frozenset("half hälfte mitad moitié helft".split())
 LIKE: Final = (
     {"fluke", "tail"},
@@ -173,6 +174,11 @@ class Made:
     def shod(self) -> bool:
         """Whether it is a shoe, by the last word of its name."""
         return bool(self.words) and self.words[-1] in _SHOES
+
+    @property
+    def tipped(self) -> bool:
+        """Whether it is a hand, which an arm may end in, by the last word of its name."""
+        return bool(self.words) and self.words[-1] in _HANDS
 
     @property
     def half(self) -> bool:

@@ -10,14 +10,12 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.finish import sewing
-from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import ABOVE, SIDE
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import BESIDE, SPREAD
 from tambour.crochet.places.jointed import Jointer
-from tambour.crochet.places.names import one
+from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.places.room import aside, spread
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
@@ -49,8 +47,6 @@ _BEHIND_EYES: Final = 4.0
 """So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _NEAR_END: Final = 4
 """A head that is sewn to one of the last so many rounds of a body is on its end."""
-_BESIDE_BELLY: Final = -0.15
-"""How high the arms of a ball with a face are."""
 _OVER_TOP: Final = 1.5
 """Ears so many stitches apart as there are rounds over the crown between them, within this, stand at the sides."""
 
@@ -102,6 +98,12 @@ class Putter(Jointer):
             wanted |= {"front"} if put.copies[0][1] == 1 else {"hind"}
         if kind == "ear" and work.dog and "upwards" not in put.where.words:
             wanted |= {"floppy"}
+        if kind == "leg" and len(put.copies) == 2 and SIDED & set(made.words):
+            # Two pairs that are told apart by their numbers are front and hind legs.
+            alike = [m for m in work.parts if m.kind == kind and m.copies == 2 and SIDED & set(m.words)]
+            wanted |= {"front" if made == alike[0] else "hind"} if len(alike) == 2 else frozenset()
+        if kind == "spike" and work.of_kind("tail") is not None:
+            wanted |= {"tail"}
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):
@@ -136,6 +138,11 @@ class Putter(Jointer):
         told = [self._told(way, put.where, len(put.copies)) for way in ways]
         records = self._sewn(put, host, told)
         if not all(self.stand.there(r.spot) for r in records):
+            if (
+                put.where.rounds is not None and not put.guess
+            ):  # a round that was not read: where such parts usually are
+                at = replace(put.where, rounds=None, stitch=None, beside=())
+                return self.part(replace(put, where=at, guess=True))
             return [Placed(r.part, r.spot, span=put.span) for r in records]
         seams = self.room.seams(records, kind)
         end = len(records) == 1 and records[0].spot.stitch is None  # what is on an end stays there
@@ -183,12 +190,6 @@ class Putter(Jointer):
             and work.host(onto, "body").high - work.host(onto, "body").low == whole.high - whole.low
         )
 
-    @staticmethod
-    def _below_face(way: Way) -> Way:
-        """Arms of a ball are beside its belly, and not beside its eyes."""
-        x, y, z = way.at
-        return replace(way, at=(x, _BESIDE_BELLY, max(z, 0.25))) if abs(x) > 0.6 and y > _BESIDE_BELLY else way
-
     def _sewn(self, put: Put, host: Host, ways: list[Way]) -> list[Placed]:
         """The records of a part's copies, each put on its way."""
         made = [(c, self._spotted(put, host, way, k)) for k, (c, way) in enumerate(zip(put.copies, ways))]
@@ -212,12 +213,6 @@ class Putter(Jointer):
         """Whether a place is said so that nothing of it is left to choose."""
         at = put.where
         return at.stitch is not None or self._apart(at) is not None or at.aside is not None or bool(at.beside)
-
-    def _lids(self, copy: Copy, spot: Spot) -> bool:
-        """Whether a part is a disc as wide as the round that is said: it is sewn into it all round, as soil in a pot."""
-        record, spots = Placed(copy[0].copy(copy[1]), spot), self.work.spots
-        there = self.stand.there(spot)
-        return there and len(lid_on(spots.built, spots, record, sewing.end_of(spots.built, spots, record))) > 0
 
     def _long(self, copy: Copy) -> bool:
         """Whether a part is much longer than wide."""

@@ -99,12 +99,14 @@ def spread(spots: list[Spot], host: Host, wide: float) -> list[Spot]:
 
 
 def aside(ways: list[Way]) -> Iterator[list[Way]]:
-    """Ways farther and farther from the ``ways`` of a part: of a pair outwards, of a single one to either side, up or down."""
+    """Ways farther and farther from the ``ways`` of a part: of a pair outwards, down or up, of a single one to either side, up or down."""
     yield ways
     for k in range(1, _MOST + 1):
         off = k * _STEP
         if len(ways) == 2:
             yield [replace(w, at=(w.at[0] + math.copysign(off, w.at[0]), w.at[1], w.at[2])) for w in ways]
+            for dy in (-off, off):
+                yield [replace(w, at=(w.at[0], w.at[1] + dy, w.at[2])) for w in ways]
         elif len(ways) == 4:  # at the corners of a body
             corners = [
                 (w.at[0] + math.copysign(off, w.at[0]), w.at[1], w.at[2] + math.copysign(off, w.at[2])) for w in ways

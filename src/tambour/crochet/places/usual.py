@@ -189,7 +189,8 @@ def usual(
         return made
     if kind == "spike":
         back = np.linspace(0.0, 1.0, copies)
-        turn = [math.radians(75.0 - 130.0 * t) for t in back]
+        down = 60.0 if words & {"tail"} else 130.0  # above the tail, where there is one
+        turn = [math.radians(75.0 - down * t) for t in back]
         return [Way((0.0, math.sin(t), -math.cos(t)), None, (0.0, math.cos(t), math.sin(t)), True) for t in turn]
     if kind == "leaf" and copies > 8:
         return _rosette(copies)
