@@ -138,11 +138,9 @@ class Putter(Jointer):
         told = [self._told(way, put.where, len(put.copies)) for way in ways]
         records = self._sewn(put, host, told)
         if not all(self.stand.there(r.spot) for r in records):
-            if (
-                put.where.rounds is not None and not put.guess
-            ):  # a round that was not read: where such parts usually are
-                at = replace(put.where, rounds=None, stitch=None, beside=())
-                return self.part(replace(put, where=at, guess=True))
+            if put.where.rounds is not None and not put.guess:  # one that was not read: where such parts usually are
+                unsaid = replace(put.where, rounds=None, stitch=None, beside=())
+                return self.part(replace(put, where=unsaid, guess=True))
             return [Placed(r.part, r.spot, span=put.span) for r in records]
         seams = self.room.seams(records, kind)
         end = len(records) == 1 and records[0].spot.stitch is None  # what is on an end stays there
