@@ -190,6 +190,15 @@ def test_two_pieces_of_a_head_are_one_head_and_bear_the_face() -> None:
     assert {r.spots[0].part for r in pattern.finish if isinstance(r, Embroidery)} == {"HEAD.1"}
 
 
+def test_a_mat_that_a_head_is_sewn_to_is_under_the_head() -> None:
+    body = BALL.format("HEAD") + DISC.format("MAT")
+    built = build(read(body, "Sew the head to the center of the mat.", "Comforter"))
+    stand = Stand(Spots(built))
+    record = placed(built.pattern)["MAT"]
+    stand.set_up(stand.spots.parts["HEAD"], built.pattern.parts[0].up or "end")
+    assert record.spot.part == "HEAD" and stand.frame(record.spot).normals[0][1] < -0.7
+
+
 def test_spikes_end_above_the_tail() -> None:
     body = BALL.format("BODY") + LIMB.format("TAIL") + DISC.format("SPIKES (make 4)") + BALL.format("HEAD")
     built = build(read(body, "Sew the head to the body.", "Dragon"))

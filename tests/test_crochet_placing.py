@@ -297,6 +297,17 @@ def test_a_wide_end_is_sewn_down_in_a_round() -> None:
 
 
 @pytest.mark.slow
+def test_a_wide_end_on_an_open_one_is_sewn_rim_to_rim() -> None:
+    """There is no fabric under it to be sewn down on in a round: held at that, halves stood five stitches apart."""
+    grown = "".join(f"R{n + 2}: [{n} sc, inc] x 6\n" for n in range(1, 7))
+    cup = "R1: MR(6)\nR2: 6 inc\n" + "".join(grown.splitlines(True)[:2]) + "R5-R8: 24 sc\n"
+    piece = toy(f"== Cup ==\n{cup}== Cone ==\nR1: MR(6)\nR2: 6 inc\n{grown}R9-R12: 48 sc\nplace(Cone, Cup, round=9)\n")
+    pairs = seams(piece)["Cone"]
+    x = piece.positions / piece.stitch[0]
+    assert np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1).mean() < 1.0
+
+
+@pytest.mark.slow
 def test_a_wide_part_keeps_the_angle_that_it_is_given() -> None:
     body = BALL.replace("Head", "Body").replace(
         "R5-R9: 24 sc (24)", "R5: [3 sc, inc] x 6 (30)\nR6-R12: 30 sc (30)\nR13: [3 sc, dec] x 6 (24)"

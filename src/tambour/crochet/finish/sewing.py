@@ -31,6 +31,8 @@ OFF = 0.75
 """How far from the middle between its neighbours' a stitch lies off their row, in stitches."""
 WIDE, BETWEEN = 15, 4
 """An edge of so many stitches or more is sewn down in a round; and how many stitches each of its own is held between there."""
+OVER = 1.5
+"""An edge is sewn down in a round where all of it lies on fabric, no farther than this from a stitch."""
 STAY, OUTSIDE = 2.5, 1.0
 """How far from a seam's middle stays begin on the fabric, in stitches; and how far outside a ring's: under a part it is slack."""
 BEND = 1.0
@@ -412,6 +414,10 @@ def rounded(x: Array, pairs: Array, straight: Array, target: Array, frame: Frame
     wanted = p + off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9) * (len(pairs) / (2.0 * math.pi))
     wanted = wanted + (dot(x[pairs[:, 1]] - wanted, n) + SEAM_HEIGHT)[:, None] * n
     far, near = nearest(wanted, x[target], min(BETWEEN, len(target)))
+    if (
+        float(far[:, 0].max()) > OVER
+    ):  # rim on rim, or wider than what it is sewn to: there is no fabric under its round
+        return np.zeros((0, 2), int), np.zeros(0)
     return np.column_stack([np.repeat(pairs[:, 0], near.shape[1]), target[near.ravel()]]), far.ravel()
 
 

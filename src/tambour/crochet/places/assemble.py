@@ -239,9 +239,11 @@ class Assembly(Hosts):
                 # "Sew the body to the head": the head is put on the body.
                 if p.host is not None and len(p.copies) == 1 and p.host not in seen:
                     part, k = p.host
-                    p = replace(
-                        p, copies=[(part, n) for n in ([k] if k else range(1, part.copies + 1))], host=(main, 1)
-                    )
+                    copies = [(part, n) for n in ([k] if k else range(1, part.copies + 1))]
+                    p = replace(p, copies=copies, host=(main, 1))
+                    if part.kind not in ("head", "body", "neck") and p.where.rounds is None:
+                        # What was said of the middle of a mat says nothing of the head on it: the mat is under it.
+                        p.where = replace(p.where, stitch=None, beside=(), words=frozenset(("bottom",)))
                 else:
                     p = replace(p, copies=[c for c in p.copies if c != (main, 1)], host=p.host or (main, 1))
             free = [
