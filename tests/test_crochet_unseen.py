@@ -163,3 +163,72 @@ def test_a_hook_that_no_hand_works_a_yarn_with_is_doubted(hook: float, doubted: 
     text = f"Pip\nDK cotton yarn in cream\n\n{HEAD}{END}"
     _, problems = worked(Text(text, "pip.txt"), CrochetParams(hook=hook))
     assert any("hook" in p.message for p in problems) == doubted
+
+
+def test_a_list_of_abbreviations_says_nothing_of_all_rounds() -> None:
+    words = f"Pip\nStitch Glossary & Abbreviations:\nFront Loops Only = FLO\nBack Loops Only = BLO\n\nBODY\n{HEAD.partition(chr(10))[2]}"
+    made = read(Text(words, "pip.txt"))
+    assert not [
+        i for part in made.parts for n in part.lines for i in n.items if isinstance(i, Action) and i.name == "blo"
+    ]
+
+
+def test_loops_that_every_round_is_worked_in_hold_for_all_parts() -> None:
+    words = f"{TOP}Every round here is worked in the back loop only, unless I say otherwise.\n\n{HEAD}{END}\nBODY\n{HEAD.partition(chr(10))[2]}{END}"
+    made = read(Text(words, "pip.txt"))
+    looped = [
+        [i.name for n in part.lines for i in n.items if isinstance(i, Action)].count("blo") for part in made.parts
+    ]
+    assert len(looped) == 2 and looped[0] == looped[1] > 3
+
+
+@pytest.mark.parametrize(
+    "words, want",
+    [
+        ("Fasten off. Make the second leg and do not cut the yarn.", "Make the second leg and do not cut the yarn"),
+        ("Leave the last 4 sts for the forehead.", "Leave the last 4 sts for the forehead"),
+    ],
+)
+def test_work_that_is_only_named_is_told(words: str, want: str) -> None:
+    assert told(pattern(f"\nLEGS AND BODY\nRnd 1: 6 sc in magic ring (6)\nRnds 2-8: sc around (6)\n{words}")) == [want]
+
+
+def test_a_colour_above_the_first_round_is_not_passed_over() -> None:
+    made = read(
+        Text(f"Pip\nMaterials\nDK yarn\nThe Pattern\n01Cap\n[All in Red]\n{HEAD.partition(chr(10))[2]}{END}", "pip.txt")
+    )
+    hues = [
+        i for part in made.parts for n in part.lines for i in n.items if isinstance(i, Action) and i.name == "color"
+    ]
+    assert hues or "All in Red" in told(made)[0]
+
+
+@pytest.mark.parametrize(
+    "words, want", [("sc twice in each st", 12), ("ınc in each st", 12), ("*1 sc, 1 inc* to eor", 9)]
+)
+def test_other_ways_of_saying_a_round(words: str, want: int) -> None:
+    made = read(Text(f"{TOP}\nHEAD\nRnd 1: 6 sc in MAGİC RİNG (6)\nRnd 2: {words} ({want})\n", "pip.txt"))
+    assert not made.unread and made.built is not None and made.built.worked[-1].made == want
+
+
+def test_a_count_behind_a_ring_is_no_second_ring() -> None:
+    made = read(
+        Text(
+            f"{TOP}\nHEAD: ch 4, join with sl st to form ring.\nRound 1: 7 sc in ring: 7 sc. Do not join.\nRound 2: 2 sc in each sc around: 14 sc.\n",
+            "pip.txt",
+        )
+    )
+    assert made.built is not None and [w.made for w in made.built.worked if w.line.in_round] == [7, 14]
+
+
+def test_one_stitch_through_both_layers_closes_the_whole_edge() -> None:
+    made = read(Text(f"{TOP}\n{HEAD}Fold flat, sc through both layers across (9).\n", "pip.txt"))
+    assert made.built is not None and made.built.worked[-1].made == 9
+
+
+@pytest.mark.parametrize(
+    "words", ["Die Augen zwischen Rd 5 und 6 anbringen.", "Die Nase mit schwarzem Garn besticken."]
+)
+def test_in_german_the_verb_stands_last(words: str) -> None:
+    text = f"Igel\n\nMaterial\nGarn in Beige\n\nKopf\n1. Rd: 6 fM in einen Fadenring (6)\n2. Rd: 6x zun (12)\n3.-8. Rd: 12 fM (12)\n{words}\n9. Rd: 6x abn (6)\n"
+    assert told(read(Text(text, "igel.txt")))

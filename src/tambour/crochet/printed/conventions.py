@@ -25,10 +25,15 @@ def convention(p: State, tokens: list[Token]) -> bool:
     spiral, how colours are changed, loops that all of a part is worked into. Whether chains count, which loops are meant, and a
     colour that such a sentence names are remembered."""
     tokens = _said(tokens)
-    if not tokens or p.mode in ("materials", "abbreviations"):
+    if not tokens or any(t.word == "=" for t in tokens):
         return False
     words = {t.word for t in tokens}
     keys = {t.value for t in tokens if t.kind == "key"}
+    if not p.parts and p.heading is None and "each" in keys and "round" in keys and (looped := keys & set(_LOOPS)):
+        p.always = _LOOPS[looped.pop()]  # "Every round here is worked in the back loop only"
+        return True
+    if p.mode in ("materials", "abbreviations"):
+        return False
     if "count" in keys and any(t.kind == "stitch" and t.value == "ch" for t in tokens[:3]):
         many = next((t.value for t in tokens[:4] if t.kind == "number"), 0)
         if isinstance(many, int) and many:

@@ -34,7 +34,10 @@ def ends_with_number(r: Reader, ahead: int) -> bool:
         return False
     key = c.key("stitch", ahead=ahead)
     named = key or c.kind("stitch", ahead)
-    worked = c.key("around", "times", "twice", "turn", "stitch", ahead=-1) or c.mark(")", "]", ahead=-1)
+    worked = c.key("around", "times", "twice", "turn", "stitch", "ring", "loop", ahead=-1) or c.mark(")", "]", ahead=-1)
+    before = c.look(-1)
+    plain = before is not None and before.kind == "word" and not before.capital and len(before.word) > 2
+    worked = worked or (plain and r.palette.color(c, c.at - 1) is None)  # "along the curve: 6 sc"
     if c.kind("stitch", ahead) and colon and not worked and not c.kind("stitch", -1):
         return False  # "White: 36 sc"; but "(2 sc in next sc, sc in next 7 sc) around: 36 sc" counts
     ahead += named

@@ -38,7 +38,7 @@ READINGS: Final = {
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
 
-_LOOPED: Final = ("color", "flo", "blo", "bl")
+_LOOPED: Final = ("color", "flo", "blo", "bl", "fold")
 _BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto", "edge", "tospace")
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
 

@@ -19,6 +19,13 @@ def shortened(tokens: list[Token]) -> list[Token]:
             made.append(replace(tokens[spelled - 1], start=tokens[at].start))
             at = spelled + 1
             continue
+        if tokens[at].kind == "stitch" and [t.value for t in tokens[at + 1 : at + 3]] == ["twice", "in"]:
+            made += [
+                Token("number", "2", tokens[at + 1].start, tokens[at + 1].end, 2),
+                tokens[at],
+            ]  # "sc twice in each st"
+            at += 2
+            continue
         drawn = _drawn(tokens, at)
         if drawn is not None:
             many, end = drawn

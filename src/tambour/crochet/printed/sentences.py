@@ -191,6 +191,9 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         return True
     if finishing(p, tokens):
         return True
+    if p.mode in ("materials", "abbreviations") and convention(p, tokens):
+        p.passed.append(span)  # "Every round here is worked in the back loop only"
+        return True
     if p.mode not in ("materials", "abbreviations"):
         if twin_made(p, tokens):
             return True

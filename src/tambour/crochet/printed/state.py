@@ -60,6 +60,7 @@ def plain_height(stated: Mapping[str, tuple[str, Span]]) -> float:
     return 5.0
 
 
+NOT_A_PART: Final = "this looks like a change of yarn, and was not understood"
 _LONG: Final = 50  # characters of a line that was broken
 _BODY: Final = "instructions"
 _FEW: Final = 15  # lines that say nothing of a column's width
@@ -105,6 +106,7 @@ class State:
         ] = {}  # the same, told by the way: it is stated where nothing else says it
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
+        self.always = ""  # the loops that every round of the text is worked into
         self.early: dict[str, Any] = {}  # what is said of a part before its first round
         self.unread: list[Problem] = []  # what was not understood, and rounds that were taken from their counts
         self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known
@@ -164,7 +166,12 @@ class State:
             and not (first and (last.last or last.off is not None or (self.heading and last.chain is None)))
         ):
             if self.heading is not None and not title:
-                self.passed.append(self.heading.span)
+                words = self.source.text.text[self.heading.span.start : self.heading.span.end]
+                tokens = self.vocabulary.read(rows(words)[0].tokens) if words.strip() else []
+                if any(t.kind == "key" and t.value == "color" for t in tokens):
+                    self.tell(NOT_A_PART, "say it as in the other rounds, or leave it out", self.heading.span)
+                else:
+                    self.passed.append(self.heading.span)
                 self.heading = None
             last.loops = self.early.pop(
                 "loops", last.loops
@@ -198,6 +205,7 @@ class State:
         draft.lines, self.lead = self.lead, []
         if draft.copies_span is not None:
             self.early.pop("copies", None)  # what the heading says is meant
+        draft.loops = self.always
         for key, value in self.early.items():
             setattr(draft, key, value)
         self.early = {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.printed.opening import founds
 from tambour.crochet.printed.remarks import remark, yarned
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -14,12 +15,28 @@ _OTHERWISE: Final = frozenset("reverse reversing reversed mirror mirrored mirror
 _CHANGES: Final = frozenset("change changes changing alternate switch".split())
 
 
+_BRIEF: Final = 5  # tokens of a colour that stands alone above the first round: "[All in Red]"
+
+
+def first_round(tokens: list[Token]) -> bool:
+    """Whether words begin as a round does whose number stands before its name: "1 row: 6 sc"."""
+    numbered = len(tokens) > 3 and tokens[0].kind in ("number", "ordinal")
+    return numbered and any(t.kind == "key" and t.value in ("round", "row") for t in tokens[1:4])
+
+
 def instructs(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence that was not read may instruct: it holds a number, a stitch, a repeat, a reference or a colour."""
-    if p.mode in ("materials", "abbreviations"):
+    if p.mode in ("materials", "abbreviations") and not (first_round(tokens) and not p.parts):
         return False
     stitches = any(t.kind == "stitch" for t in tokens)
     numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
+    if tokens[0].value == "make" and any(t.kind in ("ordinal", "number") for t in tokens[1:4]):
+        return bool(p.parts)  # "Make the second leg and do not cut the yarn"
+    explains = any(t.word == "=" for t in tokens)
+    if not p.parts and p.heading is None and not explains and (founds(p, near=2) or first_round(tokens)):
+        named = any(p.palette.name(t.word) for t in tokens if t.kind == "word")
+        led = any(t.kind == "key" and t.value in ("in", "with", "begin", "color") for t in tokens)
+        return (stitches and numbers) or first_round(tokens) or (named and led and len(tokens) <= _BRIEF)
     if not p.parts:  # of what stands below the first part's name; above it is the introduction
         begins = any(
             t.kind == "key" and t.value in ("ring", "loop", "hook", "begin") for t in tokens

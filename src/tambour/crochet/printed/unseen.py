@@ -29,7 +29,8 @@ def shows(words: str, code: str, sewn: bool = False) -> bool:
     if sewn:
         return not _words(code, "hides", r"\b").search(words) and not ALL.search(words.lower())
     leads = "|".join(map(re.escape, TERMS[code].heard.said.get("leads", ()))) or "(?!)"
-    does, hides = _words(code, "shows", rf"^\W*(?:(?:{leads})\W+)*"), _words(code, "hides", r"\b")
+    begins = rf"^\W*(?:(?:{leads})\W+)*" if TERMS[code].heard.said.get("verbs") != ("last",) else r"\b"
+    does, hides = _words(code, "shows", begins), _words(code, "hides", r"\b")
     return any(does.search(clause) and not hides.search(clause) for clause in _PARTED.split(words))
 
 
