@@ -232,3 +232,45 @@ def test_one_stitch_through_both_layers_closes_the_whole_edge() -> None:
 def test_in_german_the_verb_stands_last(words: str) -> None:
     text = f"Igel\n\nMaterial\nGarn in Beige\n\nKopf\n1. Rd: 6 fM in einen Fadenring (6)\n2. Rd: 6x zun (12)\n3.-8. Rd: 12 fM (12)\n{words}\n9. Rd: 6x abn (6)\n"
     assert told(read(Text(text, "igel.txt")))
+
+
+def test_a_ring_on_a_line_of_its_own_is_what_the_first_round_goes_into() -> None:
+    words = "Magic Ring\nRound 1: Chain 1. 9 Hdc. Join with a SS to the first Hdc made. (9)\nRound 2: Chain 1. 2 Hdc in each stitch around. Join with a SS to the first Hdc made. (18)\n"
+    made = read(Text(f"{TOP}\nHat\n{words}", "pip.txt"))
+    assert not made.unread and made.built is not None
+    assert [w.made for w in made.built.worked if w.line.in_round] == [9, 18]
+
+
+def test_what_you_have_then_is_a_count() -> None:
+    words = "Start: magic ring with 6 single crochets.\nNext round: increase in every stitch so you have 12.\nNext round: 1 single crochet, 1 increase, all around so you have 18.\n"
+    made = read(Text(f"{TOP}\nBall\n{words}", "pip.txt"))
+    assert [n.stated for part in made.parts for n in part.lines if n.in_round] == [None, 12, 18]
+
+
+@pytest.mark.parametrize("rounds, many", [("Round 6-8", 3), ("Rounds 6-8", 3)])
+def test_rounds_that_are_counted_twice_are_worked_once(rounds: str, many: int) -> None:
+    made = read(
+        Text(
+            f"{TOP}\n{HEAD.replace('Rnds 4-8', 'Rnds 4-5')}{rounds} - sc around (18) - repeat 3 rows\nRnd 9: dec x 9 (9)\n",
+            "pip.txt",
+        )
+    )
+    assert made.built is not None and len([w for w in made.built.worked if w.line.in_round]) == 5 + many + 1
+
+
+def test_rounds_before_the_first_part_are_told() -> None:
+    words = "Instructions\nMake the head and body.Rnd 1 - With white, 6sc in MR. [6sc] Rnd 2 - 2sc in each st. [12sc]\nRnd 3 - (sc, inc) x 6 [18sc]\nRnd 4 - sc around [18sc]\n"
+    made = read(Text(f"Pip\n\n{words}", "pip.txt"))
+    assert told(made)
+
+
+@pytest.mark.parametrize("words", ["6 sc in МАGIС ring", "6 ѕс in magic ring", "6 sc in MAGİC RİNG"])
+def test_letters_of_other_alphabets_that_look_like_ours_are_read(words: str) -> None:
+    made = read(Text(f"{TOP}\nHEAD\nRnd 1: {words} (6)\nRnd 2: inс x 6 (12)\n", "pip.txt"))
+    assert not made.unread and made.built is not None and made.built.worked[-1].made == 12
+
+
+def test_a_yarn_that_heads_a_part_dyes_it() -> None:
+    made = pattern("\nGreen Yarn - Leaves\nRound 1: 5 sc in magic ring (5)\nFasten off.")
+    hues = [i.numbers for n in made.parts[-1].lines for i in n.items if isinstance(i, Action) and i.name == "color"]
+    assert hues == [(62, 134, 74)]

@@ -92,7 +92,7 @@ class Palette:
         "Fins, make 2, in blue", "HEAD – Caramel, 3.5 mm hook"."""
         lettered = next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
         found = sorted(
-            (m for said in (_BESIDE, _OF_YARN, _DASHED) for m in said.finditer(words)), key=lambda m: m.start()
+            (m for said in (_BESIDE, _OF_YARN, _YARNED, _DASHED) for m in said.finditer(words)), key=lambda m: m.start()
         )
         named = (self.name(" ".join(m[1].lower().split())) for m in found)
         return lettered or next((hue for hue in named if hue is not None), None)
@@ -148,6 +148,7 @@ _OF_YARN: Final = re.compile(
 _DASHED: Final = re.compile(
     r"[ \t][–—-][ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[,;\n]|$))"
 )
+_YARNED: Final = re.compile(r"^([A-Za-z]{3,}(?: [a-z]+)?)[ \t]+[Yy]arn\b")
 _NUMBERED: Final = re.compile(r"(?:^|[,:;]|\b(?:and|using|with))\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 
 _AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|CC|[A-K])\b")

@@ -78,9 +78,9 @@ def _throughout(p: State, loops: str) -> bool:
 def _dyed(p: State, tokens: list[Token]) -> bool:
     """Takes the colour of "With A, create a magic ring, and work in unjoined rounds as follows"; whether one is said."""
     for k, token in enumerate(tokens[:-1]):
-        if token.kind == "key" and token.value in ("with", "color"):
+        if token.kind == "key" and token.value in ("with", "color", "in"):
             c = Cursor(tokens, k + 1)
-            hue = p.palette.color(c) or p.palette.letter(c, k + 1)
+            hue = p.palette.color(c) or (p.palette.letter(c, k + 1) if token.value != "in" else None)
             if hue is not None:
                 span = Span(tokens[k + 1].start, tokens[k + hue[1]].end)
                 p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))

@@ -148,15 +148,12 @@ def _aside(tokens: list[Token]) -> bool:
     "(start with blue, at the nose)", "(for headband)", "(optional)"."""
     if tokens[0].word in ("see", "optional"):
         return True
-    end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
-    if tokens[0].value in ("begin", "work", "with", "for") and not any(
-        t.kind in ("stitch", "number") for t in tokens[:end]
-    ):
-        return True
-    end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
-    inner = tokens[:end]
-    plain = not any(t.kind in ("number", "stitch", "ordinal") for t in inner)
-    return inner[:1] != [] and inner[0].value == "make" and plain and len(inner) > 2
+    if tokens[0].value not in ("begin", "work", "with", "for", "make"):
+        return False
+    inner = tokens[: next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))]
+    if tokens[0].value == "make":
+        return len(inner) > 2 and not any(t.kind in ("number", "stitch", "ordinal") for t in inner)
+    return not any(t.kind in ("stitch", "number") for t in inner)
 
 
 def _plain(tokens: list[Token]) -> bool:

@@ -276,8 +276,17 @@ class Printed(Headed):
         tokens = [t for t in tokens if t not in ended]
         if any(t.kind == "key" and t.value == "join" for t in whole[1:3]) and self.parts:
             head = replace(head, numbers=())  # "1st joining rnd" goes on with what is there
+        tokens = _counted_off(head, tokens)
         head = self._part_of(head, tokens, span)
         draft = self.parts[-1]
+        wants = self.ringed is not None and head.numbers[:1] == (1,) and not draft.begun()
+        if self.ringed is not None and wants and not any(t.value in ("ring", "hook", "loop") for t in tokens):
+            tokens = [
+                self.ringed,
+                Token("mark", ",", head.span.end, head.span.end),
+                *tokens,
+            ]  # "Magic ring" on its own line
+        self.ringed = None
         if starred or self.starred:
             draft.marks.append((starred or self.starred, 0 if self.starred and not draft.last else len(draft.lines)))
             self.starred = ""
@@ -357,6 +366,18 @@ def _starts(tokens: list[Token], ringed: bool) -> bool:
         k + 1 for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("with", "join", "color")
     }  # "With MC"
     return any(t.kind == "key" and t.value in starts and k not in yarn for k, t in enumerate(tokens))
+
+
+def _counted_off(head: Head, tokens: list[Token]) -> list[Token]:
+    """The body of a round without words that only say again how many rounds its head numbers: "Rnds 6-8 - sc around (24) - repeat 3 rows"."""
+    said = [t for t in tokens if t.kind != "mark" or t.word not in ".;"][-3:]
+    again = (
+        len(said) == 3 and said[0].value == "repeat" and said[2].value in ("round", "row") and said[1].kind == "number"
+    )
+    if not again or said[1].value != len(head.numbers) or len(head.numbers) < 2:
+        return tokens
+    at = tokens.index(said[0])
+    return tokens[: at - (at > 0 and tokens[at - 1].word in ("-", ","))]
 
 
 def _untermed(title: str, code: str) -> str:

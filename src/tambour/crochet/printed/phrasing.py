@@ -26,6 +26,12 @@ def shortened(tokens: list[Token]) -> list[Token]:
             ]  # "sc twice in each st"
             at += 2
             continue
+        if tokens[at].word == "so" and _so_many(tokens, at):
+            made.append(
+                Token("mark", "=", tokens[at].start, tokens[at + 1].end)
+            )  # "2 sc, 1 inc, all around so you have 24"
+            at += 2
+            continue
         drawn = _drawn(tokens, at)
         if drawn is not None:
             many, end = drawn
@@ -48,6 +54,12 @@ def shortened(tokens: list[Token]) -> list[Token]:
             continue
         at += 4 if _shown(tokens, at) else 1
     return made
+
+
+def _so_many(tokens: list[Token], at: int) -> bool:
+    """Whether "so you have 24" stands there, your fillers left out."""
+    after = tokens[at + 1 : at + 3]
+    return len(after) == 2 and after[0].word in ("have", "get") and after[1].kind == "number"
 
 
 _LOOPED: Final = re.compile(

@@ -95,7 +95,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.palette.listed(line, row.tokens[0].start)
     said = stated(text, row, tokens) or below(p, row, tokens)
     if p.parts and p.mode != "materials":
-        said = [one for one in said if one[0] != "eyes"]  # "Eyes: embroider …" instructs
+        said = [
+            one for one in said if one[0] not in ("eyes", "yarn")
+        ]  # "Eyes: embroider …", "Green Yarn - Leaves" instruct
     for key, words, span in said:
         p.stated.setdefault(key, (words, span))
     if said or shade:

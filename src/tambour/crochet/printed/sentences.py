@@ -275,6 +275,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if body.refers is not None and draft is not None:
         return _referred(p, body, tokens)
     if body.pending:
+        p.ringed = next((t for t in tokens if t.kind == "key" and t.value == "ring"), None) if not body.items else None
         for left in body.left:
             left_over(p, left)
         p.lead += [Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False)] if body.items else []
@@ -317,9 +318,11 @@ def plainly(p: State, tokens: list[Token]) -> bool:
 
 
 def _refers_below(p: State) -> bool:
-    """Whether the next line with words works rounds as those of another part: "Work from ** to ** as given for Head"."""
+    """Whether the next line with words works rounds as those of another part, or the next ones: "Work from ** to ** as given for Head"."""
     below = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
     tokens = p.vocabulary.read(below.tokens[:8]) if below is not None else []
+    if [t.value for t in tokens[:2]] in (["next", "round"], ["next", "row"]):
+        return True  # "Next round: increase in every stitch"
     return (
         bool(tokens)
         and tokens[0].value in ("from", "as", "same")

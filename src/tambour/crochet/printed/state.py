@@ -106,6 +106,7 @@ class State:
         ] = {}  # the same, told by the way: it is stated where nothing else says it
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
+        self.ringed: Token | None = None  # a ring that stands on a line of its own above its first round
         self.always = ""  # the loops that every round of the text is worked into
         self.early: dict[str, Any] = {}  # what is said of a part before its first round
         self.unread: list[Problem] = []  # what was not understood, and rounds that were taken from their counts

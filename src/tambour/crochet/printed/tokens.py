@@ -24,7 +24,9 @@ _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i 
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
 _UNSEEN: Final = frozenset(_HIDDEN + "\ufe0f")
-_SHOWN: Final = str.maketrans("ıİ", "iI", _HIDDEN)  # "MAGİC RİNG, ınc": English typed on a Turkish keyboard
+_SHOWN: Final = str.maketrans(
+    "ıİаеорсухіѕјһԁАВЕКМНОРСТХІЅЈοΟυ", "iIaeopcyxisjhdABEKMHOPCTXISJoOu", _HIDDEN
+)  # "MAGİC RİNG, ınc", and letters of other alphabets that look like ours
 _LONGEST: Final = 9  # digits of a number that is taken for one
 
 

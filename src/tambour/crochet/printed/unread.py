@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -33,10 +34,14 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     if tokens[0].value == "make" and any(t.kind in ("ordinal", "number") for t in tokens[1:4]):
         return bool(p.parts)  # "Make the second leg and do not cut the yarn"
     explains = any(t.word == "=" for t in tokens)
+    named = any(a.value in ("round", "row") and b.kind == "number" for a, b in pairwise(tokens))
+    rings = any(t.kind == "key" and t.value == "ring" for t in tokens) and numbers
+    if not p.parts and not explains and (named or rings) and stitches and p.mode != "notes":
+        return True  # "Make the head and body.Rnd 1 - With CC, 6sc in MR"
     if not p.parts and p.heading is None and not explains and (founds(p, near=2) or first_round(tokens)):
-        named = any(p.palette.name(t.word) for t in tokens if t.kind == "word")
+        dyed = any(p.palette.name(t.word) for t in tokens if t.kind == "word")
         led = any(t.kind == "key" and t.value in ("in", "with", "begin", "color") for t in tokens)
-        return (stitches and numbers) or first_round(tokens) or (named and led and len(tokens) <= _BRIEF)
+        return (stitches and numbers) or first_round(tokens) or (dyed and led and len(tokens) <= _BRIEF)
     if not p.parts:  # of what stands below the first part's name; above it is the introduction
         begins = any(
             t.kind == "key" and t.value in ("ring", "loop", "hook", "begin") for t in tokens
