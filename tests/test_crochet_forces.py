@@ -110,10 +110,10 @@ def test_what_is_kept_straight(text: str) -> None:
     from tambour.core.errors import Text
     from tambour.crochet.graph.build import build
     from tambour.crochet.language.parse import parse
-    from tambour.crochet.settle.body import _straight
+    from tambour.crochet.settle.straight import straight
 
     graph = build(parse(Text("@stuffing = none\n" + text))).graph
-    triples, stiffness = _straight(graph, np.zeros(1), 0.05)
+    triples, stiffness = straight(graph, np.zeros(1), 0.05)
     wanted, shares = plain.straight(graph, len(graph))
     assert sorted((*t, round(s, 9)) for t, s in zip(triples.tolist(), stiffness.tolist())) == sorted(
         (*map(int, t), round(0.05 * s, 9)) for t, s in zip(wanted, shares)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from tambour.core.errors import Span, TambourError, Text
+from tambour.crochet.finish.placing import mirrored, off_middle
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish, Placed, Spot
@@ -19,6 +20,10 @@ from tambour.crochet.params import CrochetParams
 
 NEAR = (0.6, 1.6)
 """Rounds and stitches that words may be off what the hand showed: they are said in whole and half rounds."""
+LEVEL = 0.6
+"""Rounds that the two of a pair may differ by, where a text says one of them and the other is in halves."""
+MIDDLE, APART = 1 / 6, 2.0
+"""Two are mirrored whose middle is no farther from the front's than this share of a round, and that are so many stitches apart or more."""
 LEAN = 60.0
 """Degrees that a part may lean otherwise than it did, by words that do not say how far."""
 _ROUNDS = re.compile(
@@ -72,7 +77,7 @@ def moved(source: Text, params: CrochetParams, part: str, onto: int) -> Moved:
     wanted = {k: replace(old, spot=spot) if old else Placed(_name(known, k), spot)}
     if twin is not None:
         other = next((r for r in built.pattern.finish if isinstance(r, Placed) and known.parts[r.part] == twin), None)
-        across = _mirrored(known, there, spot, skew)
+        across = mirrored(known, there, spot, skew)
         wanted[twin] = replace(other, spot=across) if other else Placed(_name(known, twin), across)
     if old is None:
         return _resewn(built, wanted, [*seams, *([] if twin is None else _seams(built, twin))])
@@ -98,23 +103,6 @@ def _spot(known: Spots, node: int, half: bool) -> Spot:
     return Spot(_name(known, part), number + 0.5 if between else float(number), stitch)
 
 
-def _off(known: Spots, part: int, spot: Spot) -> tuple[float, int]:
-    """How many stitches a spot is off the middle of the front, and how many its round has."""
-    k = known.round_at(part, int(spot.round))
-    if k is None:
-        return 0.0, 1
-    n = len(known.stitches(k))
-    off = 0.0 if spot.stitch is None else spot.stitch - 1.0 - known.front(k)
-    return (off + n / 2) % n - n / 2, n
-
-
-def _mirrored(known: Spots, part: int, spot: Spot, skew: float) -> Spot:
-    off, n = _off(known, part, spot)
-    k = known.round_at(part, int(spot.round))
-    assert k is not None
-    return replace(spot, stitch=(known.front(k) + skew - off) % n + 1.0)
-
-
 def _twin(known: Spots, k: int, old: Placed | None) -> tuple[int | None, float]:
     """The other copy of a part that is made twice, where the two are sewn on as in a mirror, and the sum of their offs:
     rounds in a spiral lean, so that patterns count a few stitches beside the middle."""
@@ -122,7 +110,7 @@ def _twin(known: Spots, k: int, old: Placed | None) -> tuple[int | None, float]:
     copies = [j for j, fact in enumerate(built.parts) if fact.section == built.parts[k].section]
     if old is not None and len(copies) > 2:  # two pairs of feet, or ears of two layers: the one that stands opposite
         placed = {known.parts[r.part]: r.spot for r in built.pattern.finish if isinstance(r, Placed)}
-        near = [j for j in copies if j == k or (j in placed and abs(placed[j].round - old.spot.round) <= 0.6)]
+        near = [j for j in copies if j == k or (j in placed and abs(placed[j].round - old.spot.round) <= LEVEL)]
         copies = near if len(near) == 2 else copies
     if len(copies) != 2:
         return None, 0.0
@@ -133,10 +121,10 @@ def _twin(known: Spots, k: int, old: Placed | None) -> tuple[int | None, float]:
         found = {known.parts[r.part]: r.spot for r in built.pattern.finish if isinstance(r, Placed)}
         spots = [found.get(k), found.get(twin)]
     one, other = spots
-    if one is None or other is None or one.part != other.part or abs(one.round - other.round) > 0.6:
+    if one is None or other is None or one.part != other.part or abs(one.round - other.round) > LEVEL:
         return None, 0.0
-    (a, n), (b, _) = (_off(known, known.parts[one.part], s) for s in (one, other))
-    return (twin, a + b) if abs(a + b) <= n / 6 and a * b < 0.0 and abs(a - b) > 2.0 else (None, 0.0)
+    (a, n), (b, _) = (off_middle(known, known.parts[one.part], s) for s in (one, other))
+    return (twin, a + b) if abs(a + b) <= MIDDLE * n and a * b < 0.0 and abs(a - b) > APART else (None, 0.0)
 
 
 # -- written in tambour's own language: lines, and marks that are sewn ------------------------------------------------
@@ -326,7 +314,7 @@ def _between(known: Spots, records: Sequence[Placed]) -> float:
     if len(records) != 2 or records[0].spot.part not in known.parts:
         return 0.0
     part = known.parts[records[0].spot.part]
-    (a, _), (b, _) = (_off(known, part, r.spot) for r in records)
+    (a, _), (b, _) = (off_middle(known, part, r.spot) for r in records)
     return abs(a - b)
 
 
@@ -376,7 +364,7 @@ def _counted(known: Spots, record: Placed) -> Placed:
     spot = record.spot
     if spot.stitch is None:
         return record
-    n = _off(known, known.parts[spot.part], spot)[1]
+    n = off_middle(known, known.parts[spot.part], spot)[1]
     return replace(record, spot=replace(spot, stitch=(round(spot.stitch) - 1) % n + 1.0))
 
 
@@ -403,7 +391,7 @@ def _agree(known: Spots, wanted: Sequence[Finish]) -> bool:
         if now is None or now.spot.part != record.spot.part or abs(now.spot.round - record.spot.round) > NEAR[0]:
             return False
         part = known.parts[record.spot.part]
-        (a, n), (b, _) = _off(known, part, record.spot), _off(known, part, now.spot)
+        (a, n), (b, _) = off_middle(known, part, record.spot), off_middle(known, part, now.spot)
         if abs((a - b + n / 2) % n - n / 2) > NEAR[1]:
             return False
         if record.flat != now.flat or abs(record.tilt - now.tilt) > LEAN:

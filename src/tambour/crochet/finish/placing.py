@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -92,3 +93,21 @@ def level(normals: Array, tops: Array) -> tuple[Array, Array]:
 def _unit(v: Array) -> Array:
     length = np.sqrt((v**2).sum(1, keepdims=True))
     return np.asarray(np.divide(v, length, out=np.zeros_like(v), where=length > 1e-12))
+
+
+def off_middle(known: Spots, part: int, spot: Spot) -> tuple[float, int]:
+    """How many stitches a spot is off the middle of the front, and how many its round has."""
+    k = known.round_at(part, int(spot.round))
+    if k is None:
+        return 0.0, 1
+    n = len(known.stitches(k))
+    off = 0.0 if spot.stitch is None else spot.stitch - 1.0 - known.front(k)
+    return (off + n / 2) % n - n / 2, n
+
+
+def mirrored(known: Spots, part: int, spot: Spot, skew: float) -> Spot:
+    """The spot on the other side of the middle of the front, which the round's stitches are ``skew`` beside."""
+    off, n = off_middle(known, part, spot)
+    k = known.round_at(part, int(spot.round))
+    assert k is not None
+    return replace(spot, stitch=(known.front(k) + skew - off) % n + 1.0)

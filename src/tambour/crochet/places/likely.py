@@ -19,8 +19,8 @@ class Likely(Upright):
 
     def _undressed(self) -> None:
         """Trousers of a doll that has legs, and their legs, are none of its limbs."""
-        if any(p.kind == "leg" and p.copies > 1 and "pant" not in p.words for p in self.parts):
-            clad = [p for p in self.parts if p.kind == "leg" and p.copies == 1 and {"pant", *SIDED} & set(p.words)]
+        if any(p.kind == "leg" and p.copies > 1 and not p.clad for p in self.parts):
+            clad = [p for p in self.parts if p.kind == "leg" and p.copies == 1 and (p.clad or SIDED & set(p.words))]
             self.made.apart += [p.name for p in clad]
             self.parts = [p for p in self.parts if p not in clad]
 

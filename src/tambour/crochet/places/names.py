@@ -14,7 +14,7 @@ _KINDS: Final[dict[str, str]] = {
     "ear": "ear eartuft ohr oreja oreille oor",
     "face": "face gesicht cara visage gezicht",
     "eye": "eye eyeball pupil iris eyelid eyepatch auge ojo oeil œil oog",
-    "muzzle": "muzzle snout trunk mouth facial schnauze hocico museau snuit",
+    "muzzle": "muzzle snout trunk mouth schnauze hocico museau snuit",
     "nose": "nose nase nariz nez neus proboscis",
     "beak": "beak bill schnabel pico bec snavel",
     "cheek": "cheek eyebrow brow",
@@ -64,6 +64,7 @@ _HAIR: Final = frozenset("hair wig haar perücke pelo peluca cheveux perruque pr
 _SHOES: Final = frozenset(
     "shoe boot bootie sandal slipper schuh stiefel zapato bota chaussure botte schoen laars".split()
 )
+_TROUSERS: Final = frozenset("pant trouser hose pantalón pantalon broek".split())
 _HANDS: Final = frozenset("hand glove mitten handschuh fäustling mano guante main gant want".split())
 _HALVES: Final = frozenset("half hälfte mitad moitié helft".split())
 LIKE: Final = (
@@ -174,6 +175,11 @@ class Made:
     def shod(self) -> bool:
         """Whether it is a shoe, by the last word of its name."""
         return bool(self.words) and self.words[-1] in _SHOES
+
+    @property
+    def clad(self) -> bool:
+        """Whether its name speaks of trousers: what is called a leg is one of theirs."""
+        return bool(_TROUSERS & set(self.words))
 
     @property
     def tipped(self) -> bool:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, JOIN, ROOT, SEWN, THREAD, TIP, StitchGraph
+from tambour.core.graph import BLO, FLO, ROOT, SEWN, THREAD, StitchGraph
+from tambour.crochet.settle.straight import straight
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -26,8 +27,6 @@ SEAM_HEIGHT = 0.4
 """How far above the fabric that they are sewn to stitches of a seam lie at least, in stitches."""
 LAID = 1.5
 """How strongly flat parts of printed toys resist bending: hands lay them smooth where they sew them on."""
-ROUND = 24.0
-"""Yarn of a round of fewer stitches is bent so much where it lies flat that it is not kept as straight."""
 HINGE = 0.2
 """How stiff unstuffed fabric is where it hangs on one loop, as a share of what it is elsewhere."""
 SMOOTHING = 2
@@ -227,7 +226,7 @@ def build(
     offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
     radius, section_offsets, members, beside = bones(graph, sections(graph), rise(graph, graph.rest / width))
     bone = np.searchsorted(graph.part[members[section_offsets[:-1]]], np.arange(parts + 1)).astype(np.int64)
-    triples, stiff = _straight(graph, amount, 0.0 if _cubic(stuffing) else params.bending)
+    triples, stiff = straight(graph, amount, 0.0 if _cubic(stuffing) else params.bending)
     if len(triples) and laid and not _cubic(stuffing):
         smooth = np.array([p.name in laid for p in graph.parts])[graph.part[triples[:, 0]]]
         stiff = np.where(smooth, LAID / params.bending * stiff, stiff)
@@ -368,61 +367,6 @@ def roots(graph: StitchGraph) -> Array:
     order = np.lexsort((np.arange(n), graph.peculiarity != ROOT, label))
     _, first = np.unique(label[order], return_index=True)
     return order[first][label].astype(np.int32)
-
-
-def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Array, Array]:
-    """Triples a, b, c that fabric without stuffing keeps straight: along the yarn, and from round to round."""
-    loose = amount[graph.part] == 0.0
-    if stiffness == 0.0 or not loose.any():
-        return np.zeros((0, 3)), np.zeros(0)
-    b, p = graph.previous, graph.parent
-    # Below a chain between stitches lies what the stitch before it stands on.
-    below, free = p.copy(), (np.diff(graph.anchor_offsets) == 0) & (graph.peculiarity != ROOT) & (b >= 0)
-    for n in np.flatnonzero(free & loose).tolist():
-        below[n] = below[b[n]]
-    found, share = [], []
-    bent = _bent(graph)
-    for before in (b, p):
-        middle = before
-        last = np.where(middle >= 0, (b if before is b else below)[middle], -1)
-        ok = loose & (middle >= 0) & (last >= 0) & (graph.peculiarity != TIP)
-        same = graph.part[middle] == graph.part
-        ok &= same & ~np.isin(graph.peculiarity[middle], (ROOT, TIP))
-        if before is b:
-            # The yarn turns a corner where a row or a joined round begins: it rises from the stitch it goes on in.
-            rises = (p < 0) & (p[middle] >= 0)
-            ok &= (p != last) & (p[middle] != last) & (p != middle) & ~rises
-            # Chains between stitches turn corners as they please.
-            ok &= ~(free[middle] & (below[middle] >= 0))
-        else:
-            # Of the stitches that spread from one chain, those in the middle stand straight over it.
-            spread = np.flatnonzero(ok & free[middle])
-            for m in np.unique(middle[spread]).tolist():
-                own = spread[middle[spread] == m]
-                ok[own] = False
-                ok[own[(len(own) - 1) // 2 : len(own) // 2 + 1]] = True
-        nodes = np.flatnonzero(ok)
-        found.append(np.column_stack([nodes, middle[nodes], last[nodes]]))
-        share.append(bent[middle[nodes]] if before is b else np.ones(len(nodes)))
-    # Across the join of a round the yarn does not lead on, but the fabric does.
-    last, first = graph.edges[(graph.edge_kind == JOIN) & loose[graph.edges[:, 0]]].T
-    second = np.minimum(first + 1, len(graph) - 1)
-    for ends, ok in (((second, first, last), b[second] == first), ((first, last, b[last]), b[last] >= 0)):
-        found.append(np.column_stack(ends)[ok])
-        share.append(bent[found[-1][:, 1]])
-    triples = np.concatenate(found)
-    order = np.argsort(triples.max(1, initial=0), kind="stable")
-    return triples[order], stiffness * np.concatenate(share)[order]
-
-
-def _bent(graph: StitchGraph) -> Array:
-    """How much of its stiffness along the yarn counts at each node (N,): little in small rounds, which are bent as they lie."""
-    from tambour.crochet.graph.layout import in_rows
-
-    own = graph.part.astype(np.int64) * (int(graph.round.max(initial=0)) + 2) + graph.round + 1
-    _, number, count = np.unique(own, return_inverse=True, return_counts=True)
-    rows = in_rows(graph)[graph.part]
-    return np.where(rows, 1.0, np.minimum(1.0, (count[number] / ROUND) ** 2))
 
 
 def centroid_counts(graph: StitchGraph, params: CrochetParams, told: Sequence[int | None] = ()) -> Array:
