@@ -199,6 +199,25 @@ def test_a_mat_that_a_head_is_sewn_to_is_under_the_head() -> None:
     assert record.spot.part == "HEAD" and stand.frame(record.spot).normals[0][1] < -0.7
 
 
+def test_a_nose_as_wide_as_the_snout_is_on_its_tip_and_not_in_its_seam() -> None:
+    body = BALL.format("HEAD") + BALL.format("BODY") + LIMB.format("SNOUT") + LIMB.format("NOSE")
+    sentences = "Sew the head to the body. Sew the snout to the head. Sew the nose onto the snout."
+    assert placed(read(body, sentences, "Reindeer"))["NOSE"].spot.round < 4
+
+
+@pytest.mark.parametrize("sort", ["Row edging", "SCARF"])
+def test_a_cake_with_an_edging_is_no_outfit(sort: str) -> None:
+    body = BALL.format("CONE") + BALL.format("ICE") + ROWS.format(sort)
+    found = placed(read(body, "Sew in place. Sew the ice in place.", "Ice cream"))
+    assert ("ICE" in found) == (sort != "SCARF")
+
+
+def test_a_cap_that_a_mushroom_is_sewn_to_is_on_top_of_it() -> None:
+    body = BALL.format("MUSHROOM BODY") + CAP.replace("HAT", "MUSHROOM CAP")
+    record = placed(read(body, "Sew the mushroom body to the center of the mushroom cap.", "Mushroom"))
+    assert [r.spot.stitch for r in record.values()] == [None]
+
+
 def test_spikes_end_above_the_tail() -> None:
     body = BALL.format("BODY") + LIMB.format("TAIL") + DISC.format("SPIKES (make 4)") + BALL.format("HEAD")
     built = build(read(body, "Sew the head to the body.", "Dragon"))

@@ -16,10 +16,9 @@ from tambour.geometry.motion import length
 
 _FLARE: Final = 1.1
 """A cap is nowhere wider than its rim by more than this: a toadstool's is, and stands on its stem."""
-_FITS: Final = (0.85, 1.4)
-"""Stitches of its rim over those of the widest round that it covers: it stretches a little, or is loose; a brim is no rim."""
-_LID: Final = (0.85, 1.15)
-"""Stitches of a disc's edge over those of the round that it is sewn into."""
+_FITS: Final = (0.85, 1.15)
+"""Stitches of its rim over those of the widest round that it covers: it stretches a little, and a brim is no rim. The same of
+a disc's edge over the round that it is sewn into."""
 _FREE: Final = 2
 """Rounds between a cap's rim and eyes, at the least."""
 
@@ -70,7 +69,7 @@ def lid_on(built: Built, spots: Spots, placed: Placed, end: End) -> Array:
     disc = end.ring and is_disc(built, spots.parts[placed.part], 1)
     if not disc or placed.spot.stitch is not None or spots.in_rows[host] or not len(spots.rim(host)):
         return np.zeros(0, int)
-    return ring if _LID[0] * len(ring) <= len(end.nodes) <= _LID[1] * len(ring) else np.zeros(0, int)
+    return ring if _FITS[0] * len(ring) <= len(end.nodes) <= _FITS[1] * len(ring) else np.zeros(0, int)
 
 
 def across(spots: Spots, x: Array, ring: Array, part: int, upright: Array) -> Frames:

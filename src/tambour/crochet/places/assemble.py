@@ -241,7 +241,7 @@ class Assembly(Hosts):
                     part, k = p.host
                     copies = [(part, n) for n in ([k] if k else range(1, part.copies + 1))]
                     p = replace(p, copies=copies, host=(main, 1))
-                    if part.kind not in ("head", "body", "neck") and p.where.rounds is None:
+                    if not part.kind and p.where.rounds is None:
                         # What was said of the middle of a mat says nothing of the head on it: the mat is under it.
                         p.where = replace(p.where, stitch=None, beside=(), words=frozenset(("bottom",)))
                 else:

@@ -21,6 +21,8 @@ _CROWNING: Final = frozenset(("bow", "leaf", "stem", "tuft"))
 
 _ENDS: Final = SIDED | frozenset("front back hind fore rear upper lower top bottom".split())
 """Words by which one pair of limbs is told from the other."""
+_TRIMMINGS: Final = frozenset("edging trim ruffle strap tie lace band".split())
+"""Words of what is worn that a cake may have too."""
 _CLOTHES: Final = re.compile(r"\b(?:outfit|clothes|clothing|wardrobe|accessories|costume|cardigan|dress)\b")
 """What titles of patterns for clothes say."""
 
@@ -128,5 +130,6 @@ class Hosts(Likely):
         kinds = {kind for p in self.parts for kind in p.kinds}
         if self.heard.features or kinds & {"head", "face", "eye", "ear", "muzzle", "nose", "beak"}:
             return False
+        clothes = any(p.worn and not _TRIMMINGS & set(p.words) for p in self.parts)
         limbs = {p.kind for p in self.parts} & {"arm", "tail", "wing", "fin", "horn"}
-        return _CLOTHES.search(self.text.lstrip().split("\n")[0]) is not None or ("worn" in kinds and not limbs)
+        return _CLOTHES.search(self.text.lstrip().split("\n")[0]) is not None or (clothes and not limbs)

@@ -65,6 +65,9 @@ class Jointer(Holder):
         if len(put.copies) > 1 or put.where.rounds or min(own, other) < _RIM or abs(own - other) > _RIM_OFF:
             return None
         h = self.work.host((put.host[0], max(1, put.host[1])))
+        ends = [edge for edge in (self.work.spots.rim(h.part), self.work.spots.begun(h.part)) if len(edge)]
+        if len(ends) == 1 and any(isinstance(r, Placed) and r.part == host for _, r in self.work.out):
+            return None  # a snout is sewn down by its one open end: its nose is on its tip
         number = h.high + 1 if len(self.work.spots.rim(h.part)) else h.low - 1
         record = Placed(part, Spot(host, float(number), None, put.span), span=put.span)
         self.stand.place(record)
