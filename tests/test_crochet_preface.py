@@ -121,3 +121,10 @@ def test_a_round_that_leaves_stitches_says_how_many_it_makes_and_leaves() -> Non
 def test_one_stitch_in_a_loop_is_all_of_the_round_where_its_count_says_so(words: str) -> None:
     made = pattern("Pip", f"{BALL}Rnd 4: {words} (18)\n")
     assert made.built is not None and [w.made for w in made.built.worked if w.line.in_round][-1] == 18
+
+
+def test_one_mistake_is_one_alarm() -> None:
+    wrong = f"Pip\nYarn: dk\n\nHead\n{BALL}Rnd 4: (3 sc, dec) x 3 (15)\nRnd 5: (4 sc, dec) x 3 (12)\nRnd 6: (dec, sc) x 4 (8)\nStuff.\nFasten off.\n"
+    built, _ = worked(Text(wrong, "pip.txt"), CrochetParams())
+    found = [p.message for p in tech_edit(built)]
+    assert len(found) == 1 and "-" not in found[0]

@@ -274,3 +274,28 @@ def test_a_yarn_that_heads_a_part_dyes_it() -> None:
     made = pattern("\nGreen Yarn - Leaves\nRound 1: 5 sc in magic ring (5)\nFasten off.")
     hues = [i.numbers for n in made.parts[-1].lines for i in n.items if isinstance(i, Action) and i.name == "color"]
     assert hues == [(62, 134, 74)]
+
+
+@pytest.mark.parametrize(
+    "line", ["ch - chain", "inc - increase, 2 sc in the same stitch", "BLO - back loops only", "Sc: (Single Crochet)"]
+)
+def test_a_word_of_the_trade_in_full_is_no_round(line: str) -> None:
+    made = read(Text(f"Pip\nSome words of mine.\n{line}\n\n{HEAD}{END}", "pip.txt"))
+    assert [part.name for part in made.parts] == ["HEAD"] and sum(n.in_round for n in made.parts[0].lines) == 6
+
+
+def test_a_yarn_beside_the_hook_is_the_parts() -> None:
+    made = read(Text(f"Pip\n\nHEAD\nCrochet hook C in green\n{HEAD.partition(chr(10))[2]}{END}", "pip.txt"))
+    hues = [
+        i.numbers
+        for part in made.parts
+        for n in part.lines
+        for i in n.items
+        if isinstance(i, Action) and i.name == "color"
+    ]
+    assert [part.name for part in made.parts] == ["HEAD"] and hues == [(62, 134, 74)]
+
+
+def test_a_colour_behind_a_dash_is_no_face() -> None:
+    made = pattern("\nSNOUT - rose\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nFasten off.")
+    assert not [f for f in made.finish if isinstance(f, Embroidery)]

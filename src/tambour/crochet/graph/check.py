@@ -40,7 +40,10 @@ def tech_edit(built: Built) -> list[Problem]:
         for p in built.warnings
         if not p.message.startswith(("approximated", GUESSED, MEANT, UNSEEN))
     ]
-    found += [*_rounds(built), *_loose(built), *_open(built), *_materials(built)]
+    found += _rounds(built)
+    wrong = {p.span for p in found}
+    off = {w.part for w in built.worked if w.line.stated_span in wrong or w.line.span in wrong}
+    found += [*_loose(built), *_open(built, off), *_materials(built)]
     return sorted(dict.fromkeys(found), key=lambda p: p.span.start if p.span else 0)
 
 
@@ -90,7 +93,7 @@ def _rounds(built: Built) -> Iterator[Problem]:
         if w.left > 0 and (leaves or k == last[w.part] or _stops(w.line.items)):
             continue
         told.add(w.part)
-        off = w.line.stated is not None and w.made != w.line.stated == w.made + w.left
+        off = w.line.stated is not None and w.left > 0 and w.made != w.line.stated == w.made + w.left
         at = w.line.stated_span if off and w.line.stated_span is not None else w.line.span
         yield Problem(_uneven(w, off), "correct the repeats, or say where the round begins", at, built.pattern.text)
 
@@ -149,8 +152,9 @@ def _loose(built: Built) -> Iterator[Problem]:
             )
 
 
-def _open(built: Built) -> Iterator[Problem]:
-    """Parts of a printed pattern that are to be stuffed, left open and held to nothing: the stuffing falls out."""
+def _open(built: Built, off: set[int]) -> Iterator[Problem]:
+    """Parts of a printed pattern that are to be stuffed, left open and held to nothing: the stuffing falls out. off : those with a round
+    that is told already, which may be all that is amiss."""
     graph, pattern = built.graph, built.pattern
     if not pattern.terms:
         return
@@ -163,7 +167,14 @@ def _open(built: Built) -> Iterator[Problem]:
         section = pattern.parts[built.parts[k].section]
         stuffed = section.stuffing is not None and section.stuffing > 0
         name = instance(built, k)
-        if not stuffed or part.end == part.start or k in sewn or name in held or name.removesuffix(".1") in held:
+        if (
+            not stuffed
+            or k in off
+            or part.end == part.start
+            or k in sewn
+            or name in held
+            or name.removesuffix(".1") in held
+        ):
             continue
         rim = _rim(built, k)
         if rim > 2 and built.parts[k].copy == 1:

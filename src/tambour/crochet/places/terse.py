@@ -40,6 +40,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     at = led.end("mark")
     if words[-1] == "eye" and _AT.match(low[at:]):
         return at, " place"
+    if led["mark"].strip() != ":" and not _AT.match(low[at:]):
+        return None  # "SNOUT - rose"
     if face.motifs(led["name"]) or words == ["face"]:
         return at, " embroider"
     part = any(w in known or kind_of(w) for w in words)

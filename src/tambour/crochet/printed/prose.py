@@ -12,7 +12,7 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.beyond import tallied
 from tambour.crochet.printed.colors import numbered
-from tambour.crochet.printed.cursor import OPEN
+from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.formed import forms
 from tambour.crochet.printed.headlines import bare, below, copied, dyed_only, headed, named_color, small, trailing
 from tambour.crochet.printed.naming import over
@@ -81,6 +81,11 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         for spelling in mine[0]:
             p.vocabulary.define(spelling, mine[1])
         p.passed.append(whole)
+        return
+    if _defines(tokens):
+        p.passed.append(whole)  # "ch - chain", outside every list
+        return
+    if _hooked(p, tokens):
         return
     new = definition(tokens)
     if new is not None and new[1] in p.source.stitches:
@@ -167,6 +172,28 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
     for left in lefts:
         left_over(p, left)
+
+
+def _defines(tokens: list[Token]) -> bool:
+    """Whether a line only says a word of the trade in full: "ch - chain", "Sc: (Single Crochet)", "BLO - back loops only"."""
+    plain = [t for t in tokens if t.word not in ("(", ")", ",", ".")]
+    if len(plain) < 3 or plain[1].word not in ("-", ":", "=") or any(t.kind == "number" for t in plain[:3]):
+        return False
+    said = [t for t in (plain[0], plain[2]) if t.kind in ("stitch", "key")]
+    return len(said) == 2 and said[0].value == said[1].value and said[0].word != said[1].word
+
+
+def _hooked(p: State, tokens: list[Token]) -> bool:
+    """Takes the yarn of a line that names it beside the hook, and works nothing: "Crochet hook C in green"."""
+    if not any(t.value == "hook" for t in tokens) or any(t.kind == "stitch" for t in tokens) or p.mode == "materials":
+        return False
+    for k, token in enumerate(tokens[:-1]):
+        hue = p.palette.color(Cursor(tokens, k + 1)) if token.value in ("in", "with") else None
+        if hue is not None and k + 1 + hue[1] == len(tokens):
+            span = Span(tokens[k + 1].start, tokens[-1].end)
+            p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))
+            return True
+    return False
 
 
 def _close(p: State) -> bool:

@@ -31,7 +31,7 @@ def instructs(p: State, tokens: list[Token]) -> bool:
         return False
     stitches = any(t.kind == "stitch" for t in tokens)
     numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
-    if tokens[0].value == "make" and any(t.kind in ("ordinal", "number") for t in tokens[1:4]):
+    if tokens[0].value == "make" and any(t.kind == "ordinal" for t in tokens[1:4]):
         return bool(p.parts)  # "Make the second leg and do not cut the yarn"
     explains = any(t.word == "=" for t in tokens)
     named = any(a.value in ("round", "row") and b.kind == "number" for a, b in pairwise(tokens))
