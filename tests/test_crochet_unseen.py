@@ -299,3 +299,39 @@ def test_a_yarn_beside_the_hook_is_the_parts() -> None:
 def test_a_colour_behind_a_dash_is_no_face() -> None:
     made = pattern("\nSNOUT - rose\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nFasten off.")
     assert not [f for f in made.finish if isinstance(f, Embroidery)]
+
+
+def made_of(words: str) -> list[int]:
+    built = read(Text(f"Pip\n\nDK yarn in white (A), red (B)\n\nBODY\n{words}", "pip.txt")).built
+    assert built is not None
+    return [w.made for w in built.worked if w.line.in_round]
+
+
+def test_the_first_of_two_chains_is_the_second_from_the_hook() -> None:
+    assert made_of("Chain 2\nRound 1: Work 6 sc in first chain\nRound 2: 2 sc in each sc around - 12 st\n") == [6, 12]
+
+
+def test_an_end_below_a_range_of_rounds_is_worked_once() -> None:
+    words = "Rnd 1: 6 sc in magic ring. 6 sts\nRnd 2: inc x 6. 12 sts\nRnds 3-5: sc. 12 sts\n1 sc, sl st, fasten off. Stuff.\n"
+    assert made_of(words) == [6, 12, 12, 12, 12]
+
+
+def test_yarn_that_changes_between_two_repeats_stays_between_them() -> None:
+    words = "With A, ch 6.\nRow 1: sc in 2nd ch from hook and in each ch across, turn (5)\nRow 2: ch 1, sc in each sc across, turn. (5)\n"
+    made = read(
+        Text(
+            f"Pip\n\nDK yarn in white (A), red (B)\n\nCLOTH\n{words}Rep Row 2 three times; change to B in last row. Rep Row 2 twice. Fasten off.\n",
+            "pip.txt",
+        )
+    )
+    kinds = [
+        "color" if n.items and n.items[0].name == "color" else "again"
+        for n in made.parts[0].lines[-3:]
+        if isinstance((n.items or (None,))[0], Action | None)
+    ]
+    assert kinds == ["again", "color", "again"]
+
+
+def test_a_colour_behind_a_dash_is_the_parts() -> None:
+    made = pattern("\nARMS – White Color\nR1: 5 sc in magic ring (5)\nR2: 5 inc (10)\nFasten off.")
+    assert any(isinstance(i, Action) and i.name == "color" for n in made.parts[-1].lines for i in n.items)

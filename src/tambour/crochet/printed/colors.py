@@ -146,7 +146,7 @@ _OF_YARN: Final = re.compile(
     r"(?:\bwith|,[ \t]*in|\d[ \t]*,?[ \t]*in|\b[Mm]ake[ \t]+\w+[ \t]*,)[ \t]+([A-Za-z]{3,}(?:[ -](?:blue|green|brown|pink|gr[ae]y|red))?)\b"
 )
 _DASHED: Final = re.compile(
-    r"[ \t][–—-][ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[,;\n]|$))"
+    r"[ \t][–—-][ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:(?:yarn|[Cc]olou?r)\b[ \t]*)?(?:[,;\n]|$))"
 )
 _YARNED: Final = re.compile(r"^([A-Za-z]{3,}(?: [a-z]+)?)[ \t]+[Yy]arn\b")
 _NUMBERED: Final = re.compile(r"(?:^|[,:;]|\b(?:and|using|with))\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")

@@ -23,7 +23,7 @@ from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.hung import on_loops
-from tambour.crochet.printed.items import evens
+from tambour.crochet.printed.items import EVENED, evens
 from tambour.crochet.printed.items import works as works_some
 from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
@@ -39,9 +39,24 @@ from tambour.crochet.printed.tokens import Token
 from tambour.crochet.printed.united import united
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 
-_EVENED: Final = 8
-"""Stitches of an edge that "1 sc in next st. Sl st in next st. Fasten off." only makes even, at least."""
 _HINTED: Final = 20  # errors that suggestions are looked for
+
+
+def _into_first(tokens: list[Token], chain: int | None) -> list[Token]:
+    """A round into the first of two chains, "6 sc in first chain", as it is usually said: in the 2nd chain from the hook."""
+    for k in range(len(tokens) - 2 if chain == 2 else 0):
+        into, first, ch = tokens[k : k + 3]
+        after = tokens[k + 3] if k + 3 < len(tokens) else None
+        if into.value == "in" and first.value == 1 and ch.value == "ch" and (after is None or after.value != "from"):
+            end = ch.end
+            said = [
+                replace(first, value=2),
+                ch,
+                Token("key", "from", end, end, "from"),
+                Token("key", "hook", end, end, "hook"),
+            ]
+            return [*tokens[: k + 1], *said, *tokens[k + 3 :]]
+    return tokens
 
 
 class Headed(State):
@@ -98,6 +113,7 @@ class Headed(State):
             draft.leaves_rest(self.source)  # "Working in these 33 sts only"
         if both is None and established(self, tokens, head):
             return
+        tokens = _into_first(tokens, chain)
         try:
             stands = not draft.flat or any(
                 t.value in ("skip", "slst") for t in tokens
@@ -179,7 +195,7 @@ class Headed(State):
             )
             return
         else:
-            if (draft.edge or 0) > _EVENED and evens(read.items):
+            if (draft.edge or 0) > EVENED and evens(read.items):
                 read.items = [
                     Action("join", span),
                     *(i for i in read.items if isinstance(i, Action) and i.name == "fo"),

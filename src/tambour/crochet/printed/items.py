@@ -116,6 +116,10 @@ def bare_count(tokens: list[Token]) -> Token | None:
     return first if named and plain else None
 
 
+EVENED: Final = 8
+"""Stitches of an edge that "1 sc in next st. Sl st in next st. Fasten off." only makes even, at least."""
+
+
 def evens(items: Sequence[Item]) -> bool:
     """Whether the last round of a piece is only a step down to the one before it: "1 sc in next st. Sl st in next st. Fasten off."."""
     names = [(i.name, i.times) for i in items if isinstance(i, Action) and i.name not in ("fo", "color")]

@@ -51,6 +51,11 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (
         first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "stitch"
     )
+    counted = last.word in (")", "]", "}") or (
+        last.value == "stitch" and len(before) > 1 and before[-2].kind == "number"
+    )
+    if counted and any(t.kind == "key" and t.value == "fasten off" for t in tokens):
+        return None  # "Rnds 8-20: dc. 12 sts", and "1 dc, ss, fasten off" below it
     if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
         return tokens  # the sentences of a round on lines of their own
     plain = p.source.text.text[first.start].islower() or first.kind == "number"

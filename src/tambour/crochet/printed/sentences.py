@@ -34,7 +34,7 @@ from tambour.crochet.printed.formed import complete, worked_in
 from tambour.crochet.printed.headlines import dyed_only
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.hung import joined_in_loops
-from tambour.crochet.printed.items import bare_count, flat, lifts, lifts_alone, rings, smooths, works
+from tambour.crochet.printed.items import EVENED, bare_count, evens, flat, lifts, lifts_alone, rings, smooths, works
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.parts import Draft
@@ -312,6 +312,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         p.passed.append(span)  # "Gather and tie"
     if draft.last and smooths(body.items):
         body.items = [Action("join", span)]  # one slip stitch at the end evens the edge, and is no round
+    elif draft.last and (draft.edge or 0) > EVENED and evens(body.items):
+        body.items = [Action("join", span), *(i for i in body.items if isinstance(i, Action) and i.name == "fo")]
     _added(p, draft, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
@@ -377,6 +379,9 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     if p.heading is not None and (body.refers.part or body.refers.numbers or body.refers.marks):
         p.begin(True, span)
     draft = p.parts[-1]
+    if p.lead and draft.last:
+        draft.lines += p.lead  # "… change to B. Rep Row 2 until …"
+        p.lead = []
     if again(p, draft, None, body, span):
         p.understood += 1
         for left in body.left:
