@@ -35,6 +35,7 @@ def told(made: Pattern) -> list[str]:
         "Fold each strand in half and knot it along the parting.",
         "Gather into two bunches and tie with a ribbon.",
         "Tie a ribbon round the neck.",
+        "Fold each strand in half and knot it with your hook along a centre parting.",
         "Fold the rim to the outside.",
         "Brush a little blusher here and there.",
         "Run the yarn through one end of the tube, pull tight and secure.",
@@ -57,6 +58,9 @@ def test_what_one_would_see_and_the_pictures_do_without_is_told(words: str) -> N
         "Put the card in the bottom.",
         "If giving to a child under 3 please embroider the eyes instead!",
         "Trim the tail.",
+        "Now we attach the arms.",
+        "Copyright 2020, all rights reserved.",
+        "Go down half a hook size for the chain only.",
     ],
 )
 def test_what_is_not_seen_is_not_told(words: str) -> None:
@@ -335,3 +339,13 @@ def test_yarn_that_changes_between_two_repeats_stays_between_them() -> None:
 def test_a_colour_behind_a_dash_is_the_parts() -> None:
     made = pattern("\nARMS – White Color\nR1: 5 sc in magic ring (5)\nR2: 5 inc (10)\nFasten off.")
     assert any(isinstance(i, Action) and i.name == "color" for n in made.parts[-1].lines for i in n.items)
+
+
+def test_a_note_behind_the_count_is_no_stitch() -> None:
+    made = read(
+        Text(
+            f"{TOP}\n{HEAD}Rnd 9: BLO sc in each st around (18) - the front loops are for the skirt\nRnd 10: dec x 9 (9)\n",
+            "pip.txt",
+        )
+    )
+    assert not made.unread and next(i.name for i in made.parts[0].lines[-2].items if isinstance(i, Action)) == "blo"

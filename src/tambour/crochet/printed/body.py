@@ -147,6 +147,8 @@ class Walk(Trade):
             opens = token.capital or (token.kind == "key" and token.value in _COURSED)
             if closers is ENDS and opens and self._behind_count():
                 return  # "(12) Stuff lightly."
+            if closers is ENDS and token.word == "-" and self._behind_count() and self.noted():
+                return
             if not self.between(token):
                 self.clause(found, token)
 

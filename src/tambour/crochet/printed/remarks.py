@@ -16,9 +16,11 @@ _IS: Final = frozenset(
     ("is", "are", "was", "were", "will", "can", "could", "may", "might", "would", "should", "has", "have", "measures", "loves", "likes", "causes", "form", "forms", "look", "looks")
 )  # fmt: skip
 _PAGE: Final = re.compile(
-    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|^\s*\(c\)\s*\w|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
+    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|\bcopyright\b|\ball rights reserved\b|^\s*\(c\)\s*\w|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
     re.IGNORECASE,
 )  # fmt: skip
+_TIP: Final = re.compile(r"\bgo (?:up|down)\b[^.]*\bhook\b", re.IGNORECASE)
+"""What to do where a hand works otherwise: "Go down half a hook size for the chain only"."""
 _MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))
 
 
@@ -26,7 +28,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
     """Whether a sentence that no reading understands instructs nothing: a page's foot, what a toy is like, a step's number, what comes
     of the work. Whatever names stitches to work, or rounds to repeat, is none."""
     said = text[tokens[0].start : tokens[-1].end]
-    if _foot(said, tokens):
+    if _foot(said, tokens) or _TIP.search(said):
         return True
     if len(tokens) == 1 and tokens[0].kind == "number" and isinstance(tokens[0].value, int) and tokens[0].value <= 30:
         return text[tokens[0].end : tokens[0].end + 1] in (".", ")", "\n", "") and _begins_line(text, tokens[0].start)

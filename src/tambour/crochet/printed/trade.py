@@ -60,6 +60,16 @@ class Trade(Dyes):
         finally:
             c.at, self.depth = before, depth
 
+    def noted(self) -> bool:
+        """Goes past a note behind the count, to its point: "(36) - the front loops are for the skirt"; whether one stands there."""
+        c, end = self.c, self.end_of_sentence()
+        said = c.tokens[c.at + 1 : end]
+        if not any(t.word in ("is", "are", "will") for t in said) or any(t.kind == "number" for t in said):
+            return False
+        self.body.doings.append(said)
+        c.at = end
+        return True
+
     def closes_flat(self, found: list[Item], begin: int, layers: bool = False) -> bool:
         """Whether the sentence from token ``begin`` on, which is read then, closes the opening, pressed flat, by stitches: "flatten and close with 4 sc", "fold
         in half and sc the two sides together (6 sts)". layers : it may name both layers, as others do that are read elsewhere."""

@@ -52,6 +52,8 @@ def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: li
     for span in sorted(kept, key=lambda s: s.start):
         for m in _SENTENCE.finditer(text, span.start, span.end):
             begin = m.start() + len(m[0]) - len(m[0].lstrip())
+            if text[:begin].rstrip().lower().endswith(" we"):
+                continue  # "Now we attach the arms", which the next round does
             if (
                 begin in told
                 or any(s.start < m.end() and begin < s.end for s in known)
