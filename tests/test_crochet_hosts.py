@@ -218,6 +218,24 @@ def test_a_cap_that_a_mushroom_is_sewn_to_is_on_top_of_it() -> None:
     assert [r.spot.stitch for r in record.values()] == [None]
 
 
+def test_a_leg_that_is_crocheted_shut_is_sewn_by_all_of_its_closed_end() -> None:
+    """Beside the closing stitches a few are left open: sewn by those alone a leg hung below the body by its corner."""
+    leg = """LEGS (make 2)
+R1: 6 sc in MR (6)
+R2: inc x 6 (12)
+R3: (3 sc, inc) x 3 (15)
+R4-R10: sc around (15)
+Stuff lightly. Press the opening flat and crochet 7 sc through both sides to close. FO, leave a tail.
+
+"""
+    joining = prepare(
+        build(read(BALL.format("BODY") + leg, "Sew the legs to the front of the body over R5-R6.", "Doll"))
+    )
+    assert joining is not None
+    ends = [end for f, end in joining.steps if f.part.startswith("LEGS")]
+    assert [(len(end.nodes), end.ring) for end in ends] == [(7, False)] * 2
+
+
 def test_spikes_end_above_the_tail() -> None:
     body = BALL.format("BODY") + LIMB.format("TAIL") + DISC.format("SPIKES (make 4)") + BALL.format("HEAD")
     built = build(read(body, "Sew the head to the body.", "Dragon"))

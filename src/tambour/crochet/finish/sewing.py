@@ -83,6 +83,9 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         nodes = _end_of_rows(built, spots, part)
     else:
         nodes = spots.sewn_rim(part)
+        closed = spots.stitches(spots.last(part))
+        if shut(spots, closed):
+            nodes = closed  # what is left open beside the closing stitches is no rim
         if placed.flat and not _oval(built, part) and is_disc(built, part, 2) and len(nodes) >= DISC:
             # A full circle is sewn by a piece of its edge: the part of it that is worked last.
             nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
@@ -414,9 +417,7 @@ def rounded(x: Array, pairs: Array, straight: Array, target: Array, frame: Frame
     wanted = p + off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9) * (len(pairs) / (2.0 * math.pi))
     wanted = wanted + (dot(x[pairs[:, 1]] - wanted, n) + SEAM_HEIGHT)[:, None] * n
     far, near = nearest(wanted, x[target], min(BETWEEN, len(target)))
-    if (
-        float(far[:, 0].max()) > OVER
-    ):  # rim on rim, or wider than what it is sewn to: there is no fabric under its round
+    if float(far[:, 0].max()) > OVER:  # rim on rim, or wide on narrow: no fabric is under it
         return np.zeros((0, 2), int), np.zeros(0)
     return np.column_stack([np.repeat(pairs[:, 0], near.shape[1]), target[near.ravel()]]), far.ravel()
 
