@@ -236,6 +236,33 @@ Stuff lightly. Press the opening flat and crochet 7 sc through both sides to clo
     assert [(len(end.nodes), end.ring) for end in ends] == [(7, False)] * 2
 
 
+def test_ears_in_two_layers_are_two_ears() -> None:
+    body = (
+        BALL.format("HEAD") + BALL.format("BODY") + ROWS.format("EARS (make 2)") + ROWS.format("OUTSIDE EAR (make 2)")
+    )
+    found = placed(read(body, "Sew the head to the body. Sew each ear to the head.", "Rabbit"))
+    assert sum("EAR" in name for name in found) == 2
+
+
+def test_an_ear_with_an_edging_is_sewn_by_its_end_and_not_all_round() -> None:
+    ear = """EARS (make 4)
+Ch 10.
+Row 1: 1 sc in 2nd ch from hook. 1 sc in each ch to end. 9 sc. Turn.
+Row 2: Ch 1. 1 sc in each sc. Turn. (9)
+Row 3: Ch 1. Sc2tog. 1 sc in each of next 5 sc. Sc2tog. 7 sc. Turn.
+Row 4: Ch 1. Sc2tog. 1 sc in each of next 3 sc. Sc2tog. 5 sc. Turn.
+Row 5: Ch 1. Sc2tog. 1 sc in next sc. Sc2tog. 3 sc. Turn.
+Fasten off.
+Join Ears: Hold 2 Ears tog with WS facing each other. Join with sl st through both thicknesses to bottom right corner of Ears.
+Row 1: Ch 1. Working through both thicknesses, work 8 sc evenly up right side of Ear to corner. 3 sc in corner. Work 8 sc evenly down left side of Ear. Fasten off.
+
+"""
+    joining = prepare(build(read(BALL.format("HEAD") + ear, "Sew the ears to the head.", "Cat")))
+    assert joining is not None
+    ends = [end for f, end in joining.steps if f.part.startswith("EARS")]
+    assert len(ends) == 2 and all(len(end.nodes) <= 9 for end in ends)
+
+
 def test_spikes_end_above_the_tail() -> None:
     body = BALL.format("BODY") + LIMB.format("TAIL") + DISC.format("SPIKES (make 4)") + BALL.format("HEAD")
     built = build(read(body, "Sew the head to the body.", "Dragon"))

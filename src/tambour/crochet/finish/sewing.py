@@ -31,6 +31,10 @@ OFF = 0.75
 """How far from the middle between its neighbours' a stitch lies off their row, in stitches."""
 WIDE, BETWEEN = 15, 4
 """An edge of so many stitches or more is sewn down in a round; and how many stitches each of its own is held between there."""
+AROUND = 1.6
+"""A last row of so many times the stitches of every other runs round the piece."""
+CLOSES = 0.7
+"""A round closes an end that has no more than so many stitches for each of the one that it is worked through."""
 OVER = 1.5
 """An edge is sewn down in a round where all of it lies on fabric, no farther than this from a stitch."""
 STAY, OUTSIDE = 2.5, 1.0
@@ -83,8 +87,7 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         nodes = _end_of_rows(built, spots, part)
     else:
         nodes = spots.sewn_rim(part)
-        closed = spots.stitches(spots.last(part))
-        if shut(spots, closed):
+        if len(closed := _closing(spots, part)):
             nodes = closed  # what is left open beside the closing stitches is no rim
         if placed.flat and not _oval(built, part) and is_disc(built, part, 2) and len(nodes) >= DISC:
             # A full circle is sewn by a piece of its edge: the part of it that is worked last.
@@ -116,6 +119,14 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     return End(nodes, not rows and not placed.flat, pairs)
 
 
+def _closing(spots: Spots, part: int) -> Array:
+    """The last round of a part that closes its end through both layers: half as many stitches as the round has that it closes. Of
+    two layers that are worked together all round no end is closed."""
+    mine = [k for k, r in enumerate(spots.built.rounds) if r.part == part and r.count]
+    last, before = (spots.stitches(k) for k in mine[:-3:-1]) if len(mine) > 1 else (np.zeros(0, int), np.zeros(0, int))
+    return last if shut(spots, last) and len(last) <= CLOSES * len(before) else np.zeros(0, int)
+
+
 def shut(spots: Spots, nodes: Array) -> bool:
     """Whether an end was closed by stitches through both its layers: a line, and no ring."""
     return len(nodes) > 1 and bool(spots.folded[nodes].mean() > 0.5)
@@ -143,6 +154,8 @@ def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
     """The stitches by which a piece in rows is sewn that stands out from the fabric."""
     mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
     mine = [nodes for nodes in mine if len(nodes)]
+    if len(mine) > 2 and len(mine[-1]) >= AROUND * max(len(nodes) for nodes in mine[:-1]):
+        mine = mine[:-1]  # an edging all round is no end
     first, last = mine[0], mine[-1]
     if len(mine) > 1 and len(first) <= FAN and len(last) >= FAN * len(mine):
         # A fan is sewn by its straight edge: where its rows begin and end.

@@ -45,7 +45,8 @@ class Hosts(Likely):
             return False
         for q in puts:
             other = q.copies[0][0]
-            if q.kind != p.kind or q.host != p.host or "inner" in other.words or q.where.words != p.where.words:
+            apart = p.host is not None and q.host is not None and p.host != q.host
+            if q.kind != p.kind or apart or "inner" in other.words or q.where.words != p.where.words:
                 continue
             same = other.words == made.words or (p.guess and q.guess and not (_ENDS & {*made.words, *other.words}))
             if len(q.copies) == len(p.copies) == 2 and (p.kind == "ear" or same):
@@ -100,7 +101,7 @@ class Hosts(Likely):
         if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
             p.host = (necks, 1)
         if kind == "inner" or "inner" in made.words:
-            ears = [m for m in self.parts if m.kind == "ear" and m != made]
+            ears = [m for m in every if m.kind == "ear" and m != made]
             if ears and ears[0].copies >= len(p.copies):
                 p.host = (ears[0], 0)
 
