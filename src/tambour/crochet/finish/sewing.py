@@ -154,8 +154,9 @@ def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
     """The stitches by which a piece in rows is sewn that stands out from the fabric."""
     mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
     mine = [nodes for nodes in mine if len(nodes)]
-    if len(mine) > 2 and len(mine[-1]) >= AROUND * max(len(nodes) for nodes in mine[:-1]):
-        mine = mine[:-1]  # an edging all round is no end
+    *rows, end = [len(nodes) for nodes in mine]
+    if len(rows) > 1 and end >= AROUND * max(rows) and rows[-1] <= max(rows[:-1]):
+        mine = mine[:-1]  # an edging all round is no end; a fan grows in all its rows
     first, last = mine[0], mine[-1]
     if len(mine) > 1 and len(first) <= FAN and len(last) >= FAN * len(mine):
         # A fan is sewn by its straight edge: where its rows begin and end.
