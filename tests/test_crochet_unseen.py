@@ -349,3 +349,9 @@ def test_a_note_behind_the_count_is_no_stitch() -> None:
         )
     )
     assert not made.unread and next(i.name for i in made.parts[0].lines[-2].items if isinstance(i, Action)) == "blo"
+
+
+def test_counts_between_pointed_brackets() -> None:
+    assert made_of(
+        "Round 1: Magic Ring, ch 1, 6 sc in ring, do not join <6>\nRound 2: *Sc 1, Inc* around <9>\nRound 3: Sc around <9>\n"
+    ) == [6, 9, 9]

@@ -183,8 +183,8 @@ class Walk(Trade):
             self.to_separator()
             return True
         if token.kind == "mark" and token.word in BETWEEN:
-            if token.word in "-:" and ends_with_number(self, 1):
-                return False
+            if (token.word in "-:" and ends_with_number(self, 1)) or (token.word == "<" and c.whole(1) is not None):
+                return False  # "- 18 sts", "<18>"
             c.at += 1
             if token.word == "-" and (many := things(c)):
                 c.at += many  # "- 5 petals"
