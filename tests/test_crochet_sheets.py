@@ -73,3 +73,14 @@ def test_a_basket_keeps_a_flat_base_and_a_straight_wall() -> None:
 def test_a_bowl_stays_a_bowl() -> None:
     """Where the wall is worked in both loops nothing says that its maker wanted an edge."""
     assert heights(piece(5, " "), 4)[2] > 5.0
+
+
+def test_an_open_tube_stands_upright() -> None:
+    """Along the work and across it alone its stitches shear: it leaned by ten degrees."""
+    rows = "\n".join(["@stuffing = none", ": 24 ch, join, ch", *[": 24 sc, join, ch"] * 6, ": 24 sc, join"])
+    made = make(Text(rows), CrochetParams(), Progress())
+    graph, x = made.built.graph, made.positions
+    rounds = [x[graph.round == k] for k in range(1, 8)]
+    axis = rounds[-1].mean(0) - rounds[0].mean(0)
+    _, _, axes = np.linalg.svd(rounds[3] - rounds[3].mean(0), full_matrices=False)
+    assert abs(axes[2] @ axis) > 0.998 * np.linalg.norm(axis)

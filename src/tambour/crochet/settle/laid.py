@@ -9,7 +9,8 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, ROOT, THROUGH, TIP, StitchGraph
+from tambour.core.graph import BLO, FLO, ROOT, SEWN, THROUGH, TIP, StitchGraph
+from tambour.crochet.graph.layout import in_rows
 from tambour.crochet.settle.arrange import cut
 from tambour.crochet.settle.body import Body, State, joined_up
 from tambour.crochet.settle.forces import lengths
@@ -17,6 +18,8 @@ from tambour.crochet.settle.rest import settle, tolerance
 
 NEARLY: Final = (0.85, 1.1)
 """Rounds lie flat whose way out is so much of their rows' height, from the least to the most."""
+TUBE: Final = 0.8
+"""A tube has such a share of its stitches over single ones, or more."""
 EDGE: Final = 0.1
 """How stiff fabric is at a sheet's edge, as a share of what it is elsewhere: there it was worked to turn."""
 STIFF: Final = 2.0
@@ -47,7 +50,7 @@ def laid(graph: StitchGraph, body: Callable[[StitchGraph], Body]) -> tuple[Stitc
     by so much. So where rounds from a ring on grow as a circle's do, to the end or to a wall that is worked in one loop,
     they are settled in a plane, and keep the lengths that they have there. (A wall without such an edge makes a bowl.) Along the work and
     across it alone stitches could shear, and what was flat be a cone again: so they are braced, and the wall too, which would
-    lean over.
+    lean over, as tubes do that are open below.
 
     body : what makes a body of a graph
     """
@@ -84,7 +87,9 @@ def laid(graph: StitchGraph, body: Callable[[StitchGraph], Body]) -> tuple[Stitc
         weights.append(_weights(x[:, [0, 2]][four]))
     first, ends = zip(*spans) if spans else ((), ())
     pairs, far = _cells(graph)
-    new = np.isin(graph.part[pairs[:, 0]], graph.part[list(first)]) & ~np.isin(pairs[:, 0], np.concatenate(braces))
+    stands = _tubes(graph, pairs)
+    stands[graph.part[list(first)]] = True
+    new = stands[graph.part[pairs[:, 0]]] & ~np.isin(pairs[:, 0], np.concatenate(braces))
     braces.append(pairs[new])
     apart.append(far[new])
     return replace(graph, rest=rest), Sheets(
@@ -132,6 +137,17 @@ def _cells(graph: StitchGraph) -> tuple[Array, Array]:
     return np.concatenate([np.column_stack([i, b]), np.column_stack([i + 1, a])]), np.hypot(
         1.0, np.concatenate([high[i], high[i + 1]])
     )
+
+
+def _tubes(graph: StitchGraph, pairs: Array) -> Array:
+    """Which parts (P,) are unstuffed tubes that stand by themselves: all but sheer rounds, sewn to nothing. ``pairs``: as of :func:`_cells`."""
+    count = len(graph.parts)
+    worked = np.bincount(graph.part[np.diff(graph.anchor_offsets) > 0], minlength=count)
+    plain = np.bincount(graph.part[pairs[:, 0]], minlength=count) // 2
+    sewn = np.zeros(count, np.bool_)
+    sewn[graph.part[graph.edges[graph.edge_kind == SEWN]].ravel()] = True
+    empty = np.array([p.stuffing == 0.0 for p in graph.parts])
+    return np.asarray(empty & ~sewn & ~in_rows(graph) & (plain > TUBE * np.maximum(worked, 1)))
 
 
 def flattened(graph: StitchGraph, x: Array, sheets: Sheets) -> Array:
