@@ -117,3 +117,56 @@ def test_lists_without_verbs_put_parts_faces_and_eyes() -> None:
     put = [f for f in pattern.finish if isinstance(f, Placed)]
     assert [f.part for f in put] == ["ARMS.1", "ARMS.2"] and {f.spot.round for f in put} == {4.0}
     assert {type(f) for f in pattern.finish} == {Placed, Embroidery, Eye}
+
+
+def made(words: str) -> list[int]:
+    """The stitches of the rounds of a piece that is read whole."""
+    pattern = read(Text(f"Ball\n\nBODY\n{words}", "ball.txt"))
+    assert not [p.message for p in pattern.unread] and pattern.built is not None
+    return [w.made for w in pattern.built.worked if w.line.in_round]
+
+
+@pytest.mark.parametrize(
+    ("words", "counts"),
+    [
+        ("1 row: 6 sc in magic ring (6)\n2 row – inc * 6 (12)\n3-4 row – 12 sc", [6, 12, 12, 12]),
+        ("1. 6 sc in magic ring (6)\n2. – 3. 6 sc (6)", [6, 6, 6]),
+        ("1 - 6 sc in magic ring.\n2 - 6 inc (12)\n3 - 5 (3 rnds) - 12 sc in each rnd.\n6 & 7 - 12 sc", [6, 12, 12, 12, 12, 12, 12]),
+        ("R.1: 6 sc in magic ring (6)\nR.2 through R.4: sc even (6)\nR.5 & R.6: sc even (6)", [6] * 6),
+        ("Rnd 1: 6 sc in magic ring (6)\nRnd 2: 1sc in each of the next 6-sts. [6sc]", [6, 6]),
+        ("Rnd 1: Magic ring 6 – 6st\nRnd 2: 2sc6 – 12st\nRnd 3: (Sc1, 2sc1) x 6 – 18st\nRnd 4: (sc1, sc2tog1) x 6 - 12st", [6, 12, 18, 12]),
+        ("Round 1: 6 sc in magic ring (6)\nRound 2: sc twice in each st (12)\nRound 3: *sc in next st, sc twice in next st* 6 times (18)", [6, 12, 18]),
+        ("Rnd 1: single crochet 6 times into ring (6)\nRnd 2: 6 sc, pull tail to close ring (6)", [6, 6]),
+        ("R1: 6 sc inside of magic ring\nR2: * 1 sc, 1 inc * to eor = 9 sc\nR3: (2 sc, inc) repeat till end of the round (12)", [6, 9, 12]),
+        ("Rnd 1: 6 sc in magic ring (6)\nRnds 2-3: 2 rounds, each round 6 sc (6)\nRnds 4-5: 6 sc in each round (6)\nRnd 6-7: 6 sc – 2 rounds unchanged", [6] * 7),
+        ("Rnd 1: 6 sc in magic ring (6)\nRnd 2: sc. 6 sts\nRnd 3: sc in blo. 6 sts\nRnd 4: BLO sc (6)", [6] * 4),
+        ("Magic Ring\nRound 1: Chain 1. 9 Hdc. Join with a SS to the first Hdc made. (9)\nRound 2: Chain 1. 2 Hdc in each stitch around. (18)", [9, 18]),
+        ("1 row: 6 scв MAGİC RİNG (6)\n2 row: 6 ınc (12)", [6, 12]),
+        ("Rnd 1 - 6sc in MR, pull the ring closed. [6sc] Rnd 2 - 2sc in each st. [12sc] Rnd 3 - 12 sc. [12sc]", [6, 12, 12]),
+    ],
+)  # fmt: skip
+def test_rounds_as_pages_of_the_web_write_them(words: str, counts: list[int]) -> None:
+    assert made(words) == counts
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Change to Soft yarn #7684 (Black)",
+        "Use color 5638 (Black).",
+        "Using Slim yarn 2829 (Black):",
+        "Crochet hook C in black",
+    ],
+)
+def test_a_yarn_may_be_named_by_brand_and_number(words: str) -> None:
+    pattern = read(Text(f"Cat\n\nBODY\nwhite\n{ROUNDS}{words}\nRnd 6: sc around (12)\n", "cat.txt"))
+    assert hues(pattern.parts[0]) == [shade("white"), shade("black")] and len(pattern.parts) == 1
+
+
+@pytest.mark.parametrize(
+    ("heading", "name", "copies"),
+    [("Make the ears (2).", "ears", 2), ("MAKE THE HEAD", "HEAD", 1), ("Legs (4 parts)", "Legs", 4), ("Ears (2 pieces)", "Ears", 2),
+     ("02Gills", "Gills", 1), ("Step 2: Wings (make 2)", "Wings", 2), ("SNOUT, HEAD & TAIL (green, all one piece)", "SNOUT and HEAD and TAIL", 1)],
+)  # fmt: skip
+def test_headings_of_recipe_cards_and_lessons(heading: str, name: str, copies: int) -> None:
+    assert [(part.name, part.copies) for part in toy("BODY", heading).parts][1:] == [(name, copies)]

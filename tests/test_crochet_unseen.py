@@ -262,10 +262,14 @@ def test_rounds_that_are_counted_twice_are_worked_once(rounds: str, many: int) -
     assert made.built is not None and len([w for w in made.built.worked if w.line.in_round]) == 5 + many + 1
 
 
-def test_rounds_before_the_first_part_are_told() -> None:
+def test_rounds_run_on_behind_a_heading_are_read() -> None:
     words = "Instructions\nMake the head and body.Rnd 1 - With white, 6sc in MR. [6sc] Rnd 2 - 2sc in each st. [12sc]\nRnd 3 - (sc, inc) x 6 [18sc]\nRnd 4 - sc around [18sc]\n"
     made = read(Text(f"Pip\n\n{words}", "pip.txt"))
-    assert told(made)
+    assert (
+        not told(made)
+        and made.built is not None
+        and [w.made for w in made.built.worked if w.line.in_round] == [6, 12, 18, 18]
+    )
 
 
 @pytest.mark.parametrize("words", ["6 sc in МАGIС ring", "6 ѕс in magic ring", "6 sc in MAGİC RİNG"])

@@ -6,6 +6,8 @@ import unicodedata
 from dataclasses import replace
 from typing import Final
 
+from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.notes import MODES
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 
@@ -49,10 +51,16 @@ def _frame(token: Token) -> bool:
 
 def _label(tokens: list[Token], vocabulary: Vocabulary) -> int:
     """Where the name behind "Part 3:", "Piece B -" stands; 0 where none does."""
+    if len(tokens) > 1 and tokens[0].kind == "number" and len(tokens[0].word) == 2 and tokens[0].word[0] == "0":
+        return 1 if tokens[1].kind == "word" else 0  # "02 Gills"
     if len(tokens) < 4 or tokens[0].word not in vocabulary.labels or tokens[2].word not in (":", "-", ".", ")"):
         return 0
     numbered = tokens[1].kind == "number" or (tokens[1].kind == "word" and len(tokens[1].word) <= 2)
-    return 3 if numbered else 0
+    names = tokens[0].word not in vocabulary.steps or all(
+        kind_of(one(t.word)) or t.word in ("and", "&") or (t.kind == "key" and t.value in MODES)
+        for t in vocabulary.read(tokens[3:])
+    )
+    return 3 if numbered and names else 0
 
 
 def _title(text: str, tokens: list[Token], vocabulary: Vocabulary) -> bool:

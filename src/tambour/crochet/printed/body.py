@@ -28,6 +28,7 @@ _LAST: Final = frozenset(("end", "ending", "ends"))
 
 _ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "ends"))
 _NEAR: Final = 8  # characters between a count and the bracket that ends it
+_PULLED: Final = frozenset(("pull", "tighten", "draw", "cinch"))
 _HOW: Final = frozenset(("loosely", "tightly", "firmly"))
 _HOLES: Final = frozenset("buttonhole armhole underarm strap slit".split())
 """What chains and skipped stitches are for."""
@@ -283,9 +284,20 @@ class Walk(Trade):
             self.color(found)
         elif token.word in _LAST and found:
             self.ends_with(found)
+        elif token.word in _PULLED and self._pulls():
+            self.to_separator()
         elif not self.along(found):
             message = f'"{token.word}" is not understood here'
             raise NotUnderstood(token, message, "a stitch, a number or a repeat is wanted here")
+
+    def _pulls(self) -> bool:
+        """Whether the clause at the cursor only pulls yarn: "pull tail to close ring"."""
+        ahead = 1
+        while (token := self.c.look(ahead)) is not None and not (token.kind == "mark" and token.word in ",.;:([)]"):
+            if token.kind in ("stitch", "number") or token.word in ("loop", "loops"):
+                return False
+            ahead += 1
+        return ahead > 1
 
     def ends_with(self, found: list[Item]) -> None:
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""

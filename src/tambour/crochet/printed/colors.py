@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Final
 
 from tambour.core.errors import Span
@@ -32,10 +33,10 @@ _SHADES: Final[tuple[RGB, ...]] = (
 
 class Palette:
     """The colours of a pattern. ``given``: letters and names of its own; ``told``: those without a colour that were used;
-    ``known``: words for suggestions; ``pure``: names mean what they do in tambour's own language, which printed the text."""
+    ``known``: words for suggestions; ``foreign``: what the language of the text calls colours; ``pure``: names mean what they do in tambour's own language, which printed the text."""
 
-    def __init__(self, known: list[str], pure: bool = False) -> None:
-        self.known, self.pure = known, pure
+    def __init__(self, known: list[str], pure: bool = False, foreign: Mapping[str, RGB] | None = None) -> None:
+        self.known, self.pure, self.foreign = known, pure, foreign or {}
         self.given: dict[str, RGB] = {}
         self.told: list[str] = []
         self.named: dict[str, str] = {}  # what the yarns of the letters are called
@@ -48,7 +49,7 @@ class Palette:
         """The colour of a name, None when it is none."""
         if self.pure:
             return self.given.get(words) or css_colors().get(words.replace(" ", "")) or said(words)
-        return self.given.get(words) or self._on_shelf(words) or said(words)
+        return self.given.get(words) or self.foreign.get(words) or self._on_shelf(words) or said(words)
 
     def _on_shelf(self, words: str) -> RGB | None:
         """The colour of the yarn that the list calls so, or of the only one whose name has these words: "grey" where "Light Grey" is."""

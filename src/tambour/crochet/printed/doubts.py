@@ -38,7 +38,6 @@ READINGS: Final = {
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
 
-_LOOPED: Final = ("color", "flo", "blo", "bl", "fold")
 _BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto", "edge", "tospace")
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
 
@@ -104,18 +103,8 @@ def decided(
     if edge and unworked and _told_rest(body.items, edge, source.stitches):
         at = next(t for t in tokens if t.word == "unworked")
         source.doubt("no stitches are left to be unworked here", "say how many are worked", at.span)
-    loose = [i for i in body.items if not (isinstance(i, Action) and i.name in _LOOPED)]
-    one = loose[0] if len(loose) == 1 else None
-    if (
-        isinstance(one, Action)
-        and one.times_span is None
-        and (edge or 0) > 1
-        and one.name in source.stitches
-        and source.stitches[one.name].takes == 1
-        and one.name not in ("slst", "skip")
-    ):
-        # "Rounds 4-6: dc", "dc in front loop only": the whole round
-        body.items = [Group((one,), None, one.span) if i is one else i for i in body.items]
+    if (edge or 0) > 1:
+        body.items = _bare(body.items, source.stitches)
     first = body
     known = edge is not None or _base(body, chain) is not None
     if body.refers is None and (body.stated is not None or known):
@@ -183,6 +172,21 @@ def _told_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> boo
     """Whether items use up all stitches of the round below, those aside that they skip at their end."""
     done = worked([i for i in items if not (isinstance(i, Action) and i.name == "skip")], edge, stitches)
     return done is not None and done[1] >= edge
+
+
+_BESIDE: Final = frozenset(("flo", "blo", "bl", "join", "color", "turn", "fo", "mark", "fold"))
+"""What may stand beside a stitch that is the whole round."""
+
+
+def _bare(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
+    """``items`` with the stitch that is all they work, of which no number is said, worked all around: "Rounds 4-6: dc", "dc in BLO"."""
+    at = [k for k, i in enumerate(items) if not (isinstance(i, Action) and i.name in _BESIDE)]
+    one = items[at[0]] if len(at) == 1 else None
+    if not isinstance(one, Action) or one.times_span is not None or one.times != 1 or one.name not in stitches:
+        return items
+    if stitches[one.name].takes != 1 or stitches[one.name].where == "ring" or one.name in ("slst", "skip"):
+        return items
+    return [*items[: at[0]], Group((one,), None, one.span), *items[at[0] + 1 :]]
 
 
 def _leaving(items: list[Item], tokens: list[Token]) -> list[Item]:

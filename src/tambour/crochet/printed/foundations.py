@@ -36,6 +36,8 @@ def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: 
             return _ringed(source, items, body.hook if head is None or not head.row else 0)
         chain = items[own]  # type: ignore[assignment]
         assert isinstance(chain, Action)
+        if head is not None and not head.row and not body.hook and _lifts(source, chain, items[own + 1 :]):
+            return _ringed(source, [*items[:own], *items[own + 1 :]], 0)  # "Magic ring", "Round 1: Ch 1, 9 hdc"
         begun = next((k for k, i in enumerate(items) if works(i)), len(items))
         tied = [i for i in items[own + 1 : begun] if isinstance(i, Action) and i.name == "join"][:1]
         rest = [i for i in items[own + 1 :] if i not in tied]
@@ -55,6 +57,14 @@ def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: 
     if not any(works(i) for i in items):
         return [i for i in items if i not in lead or not draft.chain] if items else []
     return _chained(draft, source, head, body, items, fresh, chain)
+
+
+def _lifts(source: Source, chain: Action, rest: list[Item]) -> bool:
+    """Whether a chain only lifts the yarn for the stitches behind it, which are more than go into it."""
+    first = next((i for i in rest if works(i)), None)
+    if not isinstance(first, Action) or first.name not in source.stitches or source.stitches[first.name].takes != 1:
+        return False
+    return (chain.times or 1) == 1 and (first.times or 1) > _RING
 
 
 def _ringed(source: Source, items: list[Item], hook: int) -> list[Item]:

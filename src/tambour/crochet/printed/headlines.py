@@ -11,7 +11,7 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.notes import MODES, Heading, heading, plain_name
-from tambour.crochet.printed.shades import shade
+from tambour.crochet.printed.shades import dyed, shade
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.yarns import class_of, hook_of
@@ -118,7 +118,9 @@ def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
     None where they say more, or may name a piece."""
     if p.mode in ("materials", "abbreviations") or not (p.parts or p.heading is not None):
         return None
-    some = [t for t in tokens if not (t.kind == "key" and t.value in _OF_YARN) and t.word not in (".", ":", ",")]
+    if (shown := _shown(tokens)) is not None:
+        return shown
+    some = [t for k, t in enumerate(tokens) if not _passes(tokens, k)]
     if not some or len(some) > _SHADE:
         return None
     asked = len(some) < len([t for t in tokens if t.kind != "mark"])
@@ -129,6 +131,32 @@ def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
     if found is None or found[1] != len(some):
         return None
     return found[0] if asked or p.heading is not None or not some[0].capital or _goes_on(p) else None
+
+
+def _passes(tokens: list[Token], k: int) -> bool:
+    """Whether a word around a yarn's name names none: "All in", "Crochet hook C in", a mark."""
+    token, before = tokens[k], tokens[k - 1] if k else None
+    if token.word in (".", ":", ",", "[", "]", "(", ")", "all"):
+        return True
+    if token.kind == "key":
+        return token.value in (*_OF_YARN, "hook")
+    return before is not None and before.value == "hook" and len(token.word) == 1
+
+
+def _shown(tokens: list[Token]) -> RGB | None:
+    """The yarn that a brand's name and number stand before: "Change to Soft yarn #7684 (Porcelain)"; None for other words."""
+    while tokens and tokens[-1].word in (".", ":", ","):
+        tokens = tokens[:-1]
+    opens = next((k for k, t in enumerate(tokens) if t.word == "("), 0)
+    if not 0 < opens <= _BRAND or tokens[-1].word != ")" or not (tokens[0].kind == "key" and tokens[0].value in _ASKS):
+        return None
+    if any(t.kind == "stitch" or t.word in (",", ";", ".") for t in tokens):
+        return None
+    return dyed(" ".join(t.word for t in tokens[opens + 1 : -1]))
+
+
+_BRAND: Final = 8  # words before a shade's name: "Change to Soft yarn #7684"
+_ASKS: Final = ("color", "with", "begin", "join", "in")
 
 
 def _goes_on(p: State) -> bool:

@@ -69,9 +69,14 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
     ):
         row, strong = c.key("row", ahead=-1), True
     elif isinstance(first.value, int) and first.kind == "number":
-        if not list_of_numbers(c, numbers):
+        if _pointed(c, numbers):
+            pass
+        elif not list_of_numbers(c, numbers):
             return None
-        if not c.mark(":", ".", ")", "|") or (c.mark(".") and c.look(1) is not None and c.look(1).glued):  # type: ignore[union-attr]
+        elif c.key("round", "row") and c.mark(":", "-", ".", ahead=1) and (c.mark(":", ahead=1) or not c.look(1).glued):  # type: ignore[union-attr]
+            row, strong = False, True  # "5 row – (2 sc, inc) * 6"
+            c.at += 1
+        elif not c.mark(":", ".", ")", "|") or (c.mark(".") and c.look(1) is not None and c.look(1).glued):  # type: ignore[union-attr]
             return None
     else:
         return None
@@ -110,6 +115,20 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         while c.mark(".", ",", ":", "]", ")"):
             c.at += 1
     return Head(tuple(numbers), span, c.at, row, strong, extra, parted, many, other)
+
+
+def _pointed(c: Cursor, numbers: list[int]) -> bool:
+    """``5. – 7.``; whether the cursor stood at such, which is taken."""
+    last = c.whole(3)
+    if (
+        not (c.mark(".", ahead=1) and c.mark("-", ahead=2) and c.mark(".", ahead=4))
+        or last is None
+        or last <= (c.whole() or 0)
+    ):
+        return False
+    numbers.extend(range(c.whole() or 0, last + 1))
+    c.at += 4
+    return True
 
 
 def _label(tokens: list[Token], at: int) -> int:
@@ -183,6 +202,8 @@ def list_of_numbers(c: Cursor, numbers: list[int], several: bool = False) -> boo
             ahead += 1
         named = c.key("round", "row", ahead=ahead)
         ahead += named
+        behind = c.key("round", "row", ahead=ahead - 1)
+        ahead += behind and c.mark(".", ahead=ahead) and c.whole(ahead + 1) is not None  # "R.11 through R.13"
         last = c.whole(ahead)
         after = c.look(ahead + 1)
         counted = (
@@ -275,7 +296,8 @@ def _bare(tokens: list[Token], at: int, found: Head, text: str) -> bool:
     said = text[found.span.end : after.start + 1].strip() if after is not None else ""
     begins = bool(said) and (said[0].isupper() or said[0] in OPEN)
     stops = tokens[at - 1].word in (".", ")", "]") and tokens[at].capital and bool(found.numbers)
-    return stops and begins and not found.parted and tokens[at].value in ("round", "row")
+    dashed = found.parted and any(t.word == "-" for t in tokens[at : found.end]) and tokens[at - 1].word != ")"
+    return stops and (dashed or (begins and not found.parted)) and tokens[at].value in ("round", "row")
 
 
 def heads(tokens: list[Token], text: str = "") -> list[tuple[int, Head]]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Row, Token
 
@@ -56,7 +57,7 @@ class Heading:
 
 def plain_name(words: str) -> str:
     """A part's name as tambour's own language can write it: words of plain letters, numbers joined to them."""
-    words = words.replace("&", " and ").replace("+", " and ")
+    words = words.replace("&", " and ").replace("+", " and ").replace(",", " and ")
     flat = unicodedata.normalize("NFKD", words.replace("ß", "ss").replace("ø", "o").replace("æ", "ae"))
     flat = "".join(c for c in flat if not unicodedata.combining(c))
     made: list[str] = []
@@ -78,12 +79,22 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     c = Cursor(tokens)
     name: list[Token] = []
     copies, at = 1, None
+    if c.key("make") and _part(tokens):  # "Make the ears (2)."
+        inner = [t for t in tokens[1:] if t is not tokens[-1] or t.word not in (".", ":")]
+        cut = replace(row, tokens=[t for t in row.tokens if t.start >= inner[0].start])
+        made = heading(text, cut, inner)
+        return made if made is None else replace(made, strong=True, marked=True)
     if c.key("make") and c.whole(1) is not None and len(tokens) <= 5:
         # "Make 2 ears"
         copies, at = c.whole(1) or 1, tokens[1].span
         c.at = 2
     while (token := c.look()) is not None:
-        if token.kind == "mark" and token.word not in ("-", "/", "&", "'", '"', "#", ".", "+"):
+        if token.kind == "mark" and token.word not in (",", "-", "/", "&", "'", '"', "#", ".", "+"):
+            break
+        if token.word == "," and name and all(kind_of(one(t.word)) or t.value == "and" for t in name):
+            c.at += 1  # "SNOUT, HEAD & BODY"
+            continue
+        if token.word == ",":
             break
         if token.kind == "mark" and token.word == "-" and (c.key("make", ahead=1) or c.whole(1) is not None):
             break
@@ -110,6 +121,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     words = text[max(begin, row.start) : end]
     # What was left out as a filler still belongs to the name.
     words = text[row.tokens[0].start : end] if at is None or at.start > end else words
+    if any(t.kind == "key" and t.value == "hook" for t in name):
+        return None  # "Crochet hook C in white"
     if not any(ch.isalpha() for ch in words) or any(isinstance(t.value, float) for t in name):
         return None
     capitals = words.isupper()
@@ -123,6 +136,13 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     if not clean:
         return None
     return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, bool(row.marked) or at is not None)
+
+
+def _part(tokens: list[Token]) -> bool:
+    """Whether words behind "Make the" are no more than names of parts, and their copies."""
+    end = next((k for k, t in enumerate(tokens) if t.word in ("(", "[", ".", ":")), len(tokens))
+    words = [t for t in tokens[1:end] if not (t.kind == "key" and t.value == "and")]
+    return 0 < len(words) <= _WORDS and all(kind_of(one(t.word)) for t in words)
 
 
 def _unseen(text: str, tokens: list[Token]) -> list[Token]:
@@ -230,6 +250,7 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     return (total, tokens[numbers[0]].span, more) if 1 <= total <= 1000 else None
 
 
+_PIECES: Final = frozenset("pieces parts pcs pc piece part stück piezas pièces stuks".split())
 _WORKED: Final = ("ring", "stitch", "hook", "loop", "round", "row")
 _ALIKE: Final = frozenset(("alike", "pieces", "the same", "per"))
 
@@ -255,7 +276,7 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
         c.at = begin
         return None
     c.at += 1
-    if c.mark("x") or c.key("times", "make"):
+    if c.mark("x") or c.key("times", "make") or (c.look() is not None and c.look().word in _PIECES):  # type: ignore[union-attr]
         c.at += 1
         worded = True
     ahead = next((k for k in range(6) if c.mark(")", "]", ahead=k)), 0)

@@ -23,6 +23,7 @@ from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.shades import spoken
+from tambour.crochet.printed.shorthand import numbered
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wrapping import unwrapped
@@ -83,7 +84,7 @@ class State:
 
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
-        self.rows = leaves(source.text.text, rows(source.text.text))
+        self.rows = numbered(leaves(source.text.text, rows(source.text.text)))
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
@@ -91,8 +92,11 @@ class State:
         self.rows = unwrapped(source.text.text, self.rows, self._begins_round)
         terms = TERMS[self.language.code]
         ours = terms.prints(source.text.text)
-        self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN], ours)
-        self.phrases = Phrases(terms, {}, lettered(source.text.text, terms), {} if ours else spoken(terms.code))
+        hues = {} if ours else spoken(terms.code)
+        self.palette = Palette(
+            [*self.vocabulary.stitches(), *_KNOWN], ours, {} if "us" in (terms.base, terms.code) else hues
+        )
+        self.phrases = Phrases(terms, {}, lettered(source.text.text, terms), hues)
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin

@@ -15,11 +15,12 @@ _HIDDEN: Final = "\u200b\u200c\u200d\u2060\ufeff\u00ad"
 # One alternation without nested repeats, so the time is linear whatever the text.
 _TOKEN: Final = re.compile(
     r"(?P<newline>\n)"
-    r"|(?P<ordinal>\d{1,9}(?:st|nd|rd|th|er|[ºª°](?!C))(?![^\W\d_]))"
+    r"|(?P<ordinal>(?:\d{0,8}(?:1st|2nd|3rd)|\d{1,9}(?:th|er|[ºª°](?!C)))(?![^\W\d_]))"
     rf"|(?P<number>\d(?:\d|[{_HIDDEN}](?=\d))*(?:\.\d+)?)"
     rf"|(?P<word>[^\W\d_](?:[\w'’]|[{_HIDDEN}](?=[^\W\d_]))*)"
     r"|(?P<mark>\*\*+|\*|--+|[^\s\w]|_+)"
 )
+_TURKISH: Final = str.maketrans("ı", "i", "\u0307")
 _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
@@ -83,7 +84,15 @@ def rows(text: str) -> list[Row]:
         value: Any = None
         if kind == "word":
             word = word.lower().replace("’", "'")
-            word = word if word.isascii() else unicodedata.normalize("NFKC", word)  # ligatures of a typeset page
+            if not word.isascii():
+                word = unicodedata.normalize("NFKC", word).translate(_TURKISH)  # ligatures of a typeset page
+            if (
+                len(word) > 1 and word[-1] == "в" and word[:-1].isascii()
+            ):  # "6 scв ring", a page put into English by a machine
+                tokens.append(
+                    Token("word", word[:-1], at, end - 1, None, bool(tokens) and at == last, found[0][0].isupper())
+                )
+                word, at = "in", end - 1
             word = word.removesuffix("'s").rstrip("'")
             if word == "a" and found[0] == "A" and tokens:
                 value = "A"  # it may be a yarn's letter, where an article would be small
@@ -117,8 +126,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         at += 1
     while len(tokens) > at and tokens[-1].word == "|":
         tokens.pop()
-    tokens = tokens[at:]
-    tokens = _kerned(tokens)
+    tokens = _kerned(_undashed(tokens[at:]))
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
         if len(weights) == 2 and tokens[0] is weights[0] and not marked:
@@ -148,6 +156,24 @@ def _kerned(tokens: list[Token]) -> list[Token]:
     return tokens
 
 
+def _undashed(tokens: list[Token]) -> list[Token]:
+    """``tokens`` without the dash in "18-sts"."""
+    return [
+        t
+        for k, t in enumerate(tokens)
+        if not (
+            t.word == "-"
+            and t.glued
+            and k
+            and tokens[k - 1].kind == "number"
+            and k + 1 < len(tokens)
+            and tokens[k + 1].glued
+            and tokens[k + 1].word in _STS
+        )
+    ]
+
+
+_STS: Final = frozenset("st sts stitch stitches".split())
 _ROUNDS: Final = frozenset("rnd rnds round rounds row rows r rd".split())
 _PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight
 _ASIDE: Final = 14

@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import Any, Final
 
 from tambour.crochet.language.stitches import STITCHES, standard
+from tambour.crochet.printed.shorthand import plain
 from tambour.crochet.printed.tokens import Token, rows
 from tambour.crochet.words.table import TERMS, Heard
 
@@ -55,7 +56,7 @@ class Vocabulary:
         self._read: dict[int, tuple[list[Token], list[Token]]] = {}
         table = TERMS[code]
         heard = table.heard
-        self.labels = frozenset(heard.labels)
+        self.labels, self.steps = frozenset((*heard.labels, *heard.steps)), frozenset(heard.steps)
         for key, said in heard.words.items():
             self._add(said, "key", key)
         for n, word in enumerate(heard.ordinals, 1):
@@ -133,7 +134,7 @@ class Vocabulary:
         """``tokens`` with phrases made one token each, of kind "stitch" or "key", and fillers left out."""
         known = self._read.get(id(tokens))
         if known is None or known[0] is not tokens:
-            known = self._read[id(tokens)] = tokens, self._phrased(tokens)  # lines are looked at more than once
+            known = self._read[id(tokens)] = tokens, plain(self._phrased(tokens))  # lines are looked at more than once
         return list(known[1])
 
     def _phrased(self, tokens: list[Token]) -> list[Token]:

@@ -89,7 +89,7 @@ class Heard:
     kinds : the same, of stitches whose ``increases`` and ``decreases`` the reader makes by itself
     said : what sentences are known by that tell no stitches → its words, which are no words of rounds
     fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
-    labels : words that number parts of a pattern: "Part 3: Pot"
+    labels : words that number parts of a pattern, "Part 3: Pot"; steps : such that number other things too, "Step 3: Sew the ears"
     """
 
     words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -100,6 +100,7 @@ class Heard:
     decreases: tuple[str, ...] = ()
     fillers: tuple[str, ...] = ()
     labels: tuple[str, ...] = ()
+    steps: tuple[str, ...] = ()
     ordinals: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
 

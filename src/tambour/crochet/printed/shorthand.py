@@ -1,0 +1,135 @@
+"""Printed patterns, shorthand: stitches as pages of the web spell them, put as other patterns do: ``2sc6``, ``sc twice in next st``."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.crochet.printed.tokens import Row, Token
+
+_PLAIN: Final = ("sc", "hdc", "dc", "tr")
+_MOST: Final = 6  # stitches in one: "5dc1"
+
+
+def plain(tokens: list[Token]) -> list[Token]:
+    """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
+    made: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        token = tokens[at]
+        after = tokens[at + 1 : at + 4]
+        if (past := _of_each(tokens, at)) > at:
+            at = past
+        elif token.kind == "stitch" and (many := _often(after)) is not None:
+            number, length = many
+            made += [Token("number", str(number), token.start, token.start, number), token]
+            at += 1 + length
+        elif token.kind == "number" and _several(token, after):
+            made += [token, after[0], *_each(after[1])]
+            at += 3
+        else:
+            made.append(token)
+            at += 1
+    return made
+
+
+def _of_each(tokens: list[Token], at: int) -> int:
+    """Where words end that say only that rounds are alike: "5 rounds, each round 30 sc", "6 sc in each round", "unchanged"; ``at`` for none."""
+    end = at
+    while end < len(tokens) and (tokens[end].word == "," or tokens[end].value == "in") and end - at < 2:
+        end += 1
+    if end + 1 < len(tokens) and tokens[end].value == "each" and tokens[end + 1].value in ("round", "row"):
+        behind = tokens[end + 2] if end + 2 < len(tokens) else None
+        counts = behind is None or behind.kind in ("mark", "number")
+        stitches = at and (tokens[at - 1].kind == "stitch" or tokens[at - 1].value in ("round", "row"))
+        return end + 2 if counts and (stitches or end == at) else at
+    return at + 1 if tokens[at].word in _ALIKE and at and tokens[at - 1].value in ("round", "row", "stitch") else at
+
+
+_ALIKE: Final = frozenset(("unchanged", "alike"))
+
+
+def _often(after: list[Token]) -> tuple[int, int] | None:
+    """How often a stitch is worked "twice in", "4 times into", and how many words say so."""
+    if len(after) > 1 and after[0].value == "twice" and after[1].value == "in":
+        return 2, 1
+    counted = (
+        len(after) > 2 and isinstance(after[0].value, int) and after[1].value == "times" and after[2].value == "in"
+    )
+    return (after[0].value, 2) if counted else None
+
+
+def _several(token: Token, after: list[Token]) -> bool:
+    """Whether a number begins "2sc6": so many in one, for so many stitches."""
+    return (
+        len(after) > 1
+        and isinstance(token.value, int)
+        and 2 <= token.value <= _MOST
+        and after[0].kind == "stitch"
+        and after[0].value in _PLAIN
+        and after[0].glued
+        and after[1].kind == "number"
+        and after[1].glued
+        and isinstance(after[1].value, int)
+    )
+
+
+def _each(number: Token) -> list[Token]:
+    """``in each of next 6 sts`` at the place of the 6."""
+
+    def key(word: str) -> Token:
+        return Token("key", word, number.start, number.end, word)
+
+    if number.value == 1:
+        return [key("in"), key("next"), key("stitch")]
+    return [key("in"), key("each"), key("next"), number, key("stitch")]
+
+
+def numbered(rows: list[Row]) -> list[Row]:
+    """Lines that only a number and a dash begin, "7 - 22 (16 rnds) - 36 sc", as others do with a colon; where they follow each other."""
+    made = list(rows)
+    last = 0
+    run: list[tuple[int, int]] = []
+    for k, row in enumerate(rows):
+        if not row.tokens:
+            continue
+        found = _dashed(row.tokens)
+        if found is None:
+            continue
+        first, end, at = found
+        if first == 1 or first != last + 1:
+            _coloned(made, run)
+            run, last = [], 0
+        if first == last + 1:
+            run.append((k, at))
+            last = end
+    _coloned(made, run)
+    return made
+
+
+_RUN: Final = 3  # lines that follow each other before their dashes are heads
+
+
+def _coloned(rows: list[Row], run: list[tuple[int, int]]) -> None:
+    for k, at in run if len(run) >= _RUN else []:
+        row = rows[k]
+        dash = row.tokens[at]
+        colon = Token("mark", ":", dash.start, dash.end, None, dash.glued)
+        rows[k] = Row([*row.tokens[: min(at, 3)], colon, *row.tokens[at + 1 :]], row.start, row.end, row.marked)
+
+
+def _dashed(tokens: list[Token]) -> tuple[int, int, int] | None:
+    """The first and last number that a line begins with, and where the dash behind them stands."""
+    numbers = [t.value for t in tokens[:1] if t.kind == "number" and isinstance(t.value, int)]
+    if not numbers or len(tokens) < 3:
+        return None
+    at = 1
+    if len(tokens) > 3 and tokens[1].word in ("-", "&", "and", "to") and isinstance(tokens[2].value, int):
+        closes = (
+            next((k for k in range(3, min(8, len(tokens))) if tokens[k].word == ")"), 2) if tokens[3].word == "(" else 2
+        )
+        if closes + 1 < len(tokens) and tokens[closes + 1].word == "-":
+            numbers.append(tokens[2].value)
+            at = closes + 1
+    if tokens[at].word != "-" or tokens[at].glued or tokens[at + 1].glued:
+        return None
+    return numbers[0], numbers[-1], at
