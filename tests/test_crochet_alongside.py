@@ -46,6 +46,13 @@ def test_a_stitch_goes_into_each_end_of_a_row(edge: str, expected: list[tuple[in
     assert places(built, 5) == expected
 
 
+def test_a_chain_made_before_the_turn_is_no_place() -> None:
+    """A hat stood on a band of 45 such rows: some of their ends were worked into twice, others not at all."""
+    band = f"{TOY}BAND\nWith A, ch 4.\nRow 1: Sc in 2nd ch from hook and in each ch across. 3 sc.\nRows 2-9: Ch 1, turn, sc in each sc across.\n"
+    found = read(Text(f"{band}Row 10: Ch 1, work 9 sc evenly along long edge of band.\n", "toy.txt"))
+    assert [row for row, _ in places(build(found), 10)] == [9, 8, 7, 6, 5, 4, 3, 2, 1]
+
+
 def test_all_around_every_stitch_of_the_edge_is_worked_into_once() -> None:
     into = places(made(f"{ROWS}: edge(all), sc around, join\n: sc around\n"), 5)
     assert len(into) == len(set(into)) == 16  # 5 and 5, and 4 rows on either side whose corners are the last row's

@@ -99,10 +99,13 @@ def _walk(hook: Hook, which: int) -> list[int]:
 
 
 def _lifts(hook: Hook) -> set[int]:
-    """Chains that only lift the yarn: those of the rows, and the last of the foundation chain, which lifts the first of them."""
-    last = hook.rounds[hook.round[hook.piece[0]]].last
-    lifting = hook.ends[last + 1] == hook.ends[last] and last not in hook.anchors
-    return {*hook.lifts, last} if lifting else set(hook.lifts)
+    """Chains that only lift the yarn: those of the rows, whether they are made before the turn or after it, and the last of the foundation
+    chain, which lifts the first of them."""
+    begin, worked = hook.piece[0], set(hook.anchors)
+    first = hook.round[begin]
+    idle = (n for n in range(begin, len(hook)) if hook.ends[n + 1] == hook.ends[n] and n not in worked)
+    last = hook.rounds[first].last
+    return {*hook.lifts, *(n for n in idle if hook.round[n] != first or n == last)}
 
 
 def _founds(hook: Hook, n: int) -> bool:
