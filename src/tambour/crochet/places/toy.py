@@ -69,7 +69,7 @@ class Toy:
         named = [
             Made(p.name, p.copies) for p in built.pattern.parts if f"{p.name}.1" in self.spots.parts and p.name in names
         ]
-        self.parts = [p for p in named if self.size(p) > 2] or named
+        self.parts = [p for p in named if self.size(p) > 2] or [p for p in named if self.size(p)]
         self.main = self.parts[0] if self.parts else Made("", 1)
         self.up = {p.name: p.up for p in built.pattern.parts}
         self.out: list[tuple[int, Finish]] = []
@@ -145,8 +145,10 @@ class Toy:
 
     def _half(self, part: int, low: int, high: int) -> int | None:
         """The round in the middle of a part that is clearly longer than wide; None of a ball."""
-        widest = max(int(r.count) for r in self.built.rounds if r.part == part)
-        return (low + high) // 2 if high - low + 1 > _TALL * widest and not self.spots.in_rows[part] else None
+        widest = max((int(r.count) for r in self.built.rounds if r.part == part), default=0)
+        return (
+            (low + high) // 2 if widest and high - low + 1 > _TALL * widest and not self.spots.in_rows[part] else None
+        )
 
 
 def versions(parts: list[Made]) -> list[Made]:
