@@ -9,6 +9,7 @@ import string
 import subprocess
 import sys
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
@@ -17,7 +18,7 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import STITCHES
-from tambour.crochet.words.phrases import ITEMS, Phrases, number
+from tambour.crochet.words.phrases import ITEMS, LEANS, TURN, WAYS, Phrases, number
 from tambour.crochet.words.table import SENTENCES, TERMS, Tables
 
 LEGEND = {"A": (1, 2, 3), "B": (200, 10, 77), "C2": (9, 9, 9)}
@@ -231,6 +232,25 @@ def _keys(node):
         case ast.Call(func=ast.Attribute(value=table, attr="get"), args=given):
             for one in (table, *given):
                 yield from _keys(one)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.sampled_from(sorted(TERMS)),
+    st.sampled_from([0, *LEANS]),
+    st.integers(0, 7),
+    st.integers(0, 7),
+    st.sampled_from(WAYS),
+    st.booleans(),
+    st.integers(1, 40),
+)
+def test_a_seam_in_a_persons_words_is_read_back_as_the_same(code, tilt, way, turn, ways, flat, half):
+    phrases = Phrases(TERMS[code], {"Body": 1, "Arm": 2}, {})
+    at = Spot("Body", half / 2.0, float(half))
+    one = Placed("Arm.1", at, flat, float(TURN * turn), float(tilt), float(TURN * way) if tilt else 0.0)
+    said = phrases.sewn(one, "between Rnd 12 and 15, 9 stitches to the right of the middle of the front", ways)
+    assert said is not None and phrases.finishing(said[:1].upper() + said[1:] + ".") == one
+    assert phrases.sewn(replace(one, across=50.0), "there", ways) is None  # there are no words for it
 
 
 def test_every_word_that_the_pages_ask_for_is_in_every_language(root):

@@ -28,6 +28,7 @@ class Mesh:
     frame_count : number of frames (1 for a still mesh); seconds_per_frame their distance in time
     smooth : the shape is meant to be round between its vertices (shading, glTF normals)
     doubts : what its file says and this mesh does not show, a line each
+    name : of its file, without the suffix; "" for none
 
     >>> one = Mesh(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]]))
     >>> one.vertices.dtype.name, one.frame_count
@@ -45,6 +46,7 @@ class Mesh:
     seconds_per_frame: float = 1 / 24
     smooth: bool = True
     doubts: tuple[str, ...] = ()
+    name: str = ""
 
     def __post_init__(self) -> None:
         vertices = array("Mesh.vertices", self.vertices, np.float64, (None, 3))

@@ -67,7 +67,7 @@ def _modelled(mesh: Model, params: CrochetParams, progress: Progress) -> Plush:
     from tambour.crochet.model.design import design
     from tambour.geometry.motion import fit
 
-    made = design(mesh, params, progress)
+    made = design(mesh, params, progress, mesh.name or "model")
     built, joining, known = _built(made.text, params, progress)
     piece = _shaped(built, joining, params, known, progress)
     with progress.stage("compare"):

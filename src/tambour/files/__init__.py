@@ -10,6 +10,7 @@ from __future__ import annotations
 import errno
 import os
 from collections.abc import Iterable
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -136,7 +137,8 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
             raise TambourError("this is a folder, a file is wanted", where=str(path))
         if kind is not None:
             _may_be_read(path, suffix)
-            return _load(readers[kind])(path)
+            made = _load(readers[kind])(path)
+            return replace(made, name=path.stem) if kind == "Mesh" else made
     except OSError as error:
         raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
     known = sorted(s for s, kinds in READ.items() if set(types) & set(kinds))

@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish.joining import Joining, frame_of, join
 from tambour.crochet.finish.placing import Frames
-from tambour.crochet.finish.sewing import UNDER, End, end_of, held, leaning
+from tambour.crochet.finish.sewing import UNDER, End, Held, end_of, held, leaning
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, Spot
@@ -19,15 +19,17 @@ from tambour.crochet.model.distance import Target
 from tambour.crochet.model.loop import Tried
 from tambour.crochet.model.rounds import Rounds, pattern
 from tambour.crochet.settle.arrange import parts
+from tambour.crochet.words.phrases import LEANS, TURN
+from tambour.geometry.closest import nearest, tree
 from tambour.geometry.motion import dot, fit, length, turned
 from tambour.geometry.surface import vertex_normals
 
 QUARTER = 0.25
-"""Places are said to a quarter of a round and of a stitch."""
-STEP = 1
-"""To so many degrees angles are said: five, at the end of a leg of twenty stitches, are nearly two."""
+"""Where nothing is to be easy, places are said to a quarter of a round and of a stitch; else between two rounds, and to a stitch."""
 STEEP = 85.0
 """How far a part leans at the most, in degrees."""
+UNSEEN = 0.5
+"""What a lean, or a turn about itself, moves a part by on the average, in stitches, that it is worth no words."""
 SIDEWAYS = 0.5
 """How much farther off a place may be, in radii of the end, whose fabric looks where the part points, than one that looks across."""
 
@@ -63,10 +65,11 @@ Nudges = dict[Key, tuple[Array, Array]]
 """How a copy is aimed elsewhere than where it belongs: a turn (3, 3) and a shift (3,), in the model's frame."""
 
 
-def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
-    """The lines, such as ``place(Arm.1, Body, round=17.5, stitch=8.5, tilt=70, towards=150)``, that sew every piece on.
+def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> list[str]:
+    """The lines, such as ``place(Arm.1, Body, round=17.5, stitch=8, tilt=60, towards=135)``, that sew every piece on.
 
     even : the model is its own mirror image, left and right, and so are the angles of a pair
+    fine : places and angles as near as can be; else those that there are words for
     """
     built = build(pattern([p.rounds for p in pieces]))
     spots, graph = Spots(built), built.graph
@@ -100,6 +103,7 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
                 other,
                 point,
                 looks=(normals, ahead, piece.tried.counts[-1] / (2.0 * math.pi)),
+                fine=fine,
             )
             plain = Placed(piece.name(c), spot)
             end = end_of(built, spots, plain)
@@ -108,44 +112,83 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
             how = held(alone, nodes, end)
             lay, _ = fit(alone[nodes], goal[nodes], np.ones(len(nodes)))
             axis, front = (turned(turned(turned(way, lay), aim), turn) for way in (how.axis, how.front))
-            steps[k, c] = angled(plain, frame, axis, front), end
+            said = angled(plain, frame, axis, front, fine)
+            steps[k, c] = (said if fine else eased(said, graph.faces[built.shell], alone, nodes, how)), end
             points[k, c] = point
         waiting = [key for key in waiting if key not in ready]
         standing |= set(ready)
         if even:
             for k, c in ready:
                 if pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps:
-                    pair = mirrored(steps[k, 0][0], steps[k, 1][0])
+                    pair = mirrored(steps[k, 0][0], steps[k, 1][0], fine)
                     for n, one in enumerate(pair):
                         on = number[pieces[k].onto[n]]
-                        spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round)
+                        spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round, fine=fine)
                         steps[k, n] = replace(one, spot=spot), steps[k, n][1]
     return [_line(said) for said, _ in steps.values()]
 
 
-def angled(plain: Placed, frame: Frames, axis: Array, front: Array) -> Placed:
-    """``plain`` with the angles at which its axis and its front point as wanted, in whole degrees."""
+def angled(plain: Placed, frame: Frames, axis: Array, front: Array, fine: bool) -> Placed:
+    """``plain`` with the angles at which its axis and its front point as wanted: in whole degrees, or, not ``fine``, the nearest
+    that there are words for."""
     n, along, up = frame.normals[0], frame.along[0], frame.up[0]
-    tilt = _said(min(math.degrees(math.acos(float(np.clip(dot(n, axis), -1.0, 1.0)))), STEEP))
+    tilt = min(math.degrees(math.acos(float(np.clip(dot(n, axis), -1.0, 1.0)))), STEEP)
     flat = axis - dot(n, axis) * n
-    towards = _said(math.degrees(math.atan2(-float(dot(flat, along)), float(dot(flat, up)))))
-    said = replace(plain, tilt=tilt, towards=towards if tilt else 0.0)
+    towards = math.degrees(math.atan2(-float(dot(flat, along)), float(dot(flat, up))))
+    tilt, towards = _leans(tilt, towards, fine)
+    said = replace(plain, tilt=tilt, towards=towards)
     back = turned(front, leaning(said, frame).T)
     ahead = up if n[1] < UNDER else -up
-    return replace(
-        said, across=_said(math.degrees(math.atan2(float(dot(back, np.cross(n, ahead))), float(dot(back, ahead)))))
-    )
+    across = math.degrees(math.atan2(float(dot(back, np.cross(n, ahead))), float(dot(back, ahead))))
+    return replace(said, across=_said(across, 1 if fine else TURN))
 
 
-def mirrored(one: Placed, two: Placed) -> tuple[Placed, Placed]:
+def eased(said: Placed, faces: Array, x: Array, nodes: Array, how: Held) -> Placed:
+    """``said`` without a lean, or a turn about itself, that nobody would see.
+
+    A short part hardly moves by the one, one that is as wide all round by the other. faces (F, 3), x (N, 3) : all parts; nodes : its own; how : it is held
+    """
+    off = x[nodes] - how.middle
+    if float(np.abs(dot(off, how.axis)).mean()) * math.sin(math.radians(said.tilt)) < UNSEEN:
+        said = replace(said, tilt=0.0, towards=0.0)
+    own = faces[np.isin(faces[:, 0], nodes)]
+    if said.across and len(own):
+        side = np.cross(how.axis, how.front)
+        a, b, c = (dot(off, way)[:, None] for way in (how.axis, how.front, side))
+        cos, sin = math.cos(math.radians(said.across)), math.sin(math.radians(said.across))
+        turned_ = how.middle + a * how.axis + (cos * b - sin * c) * how.front + (sin * b + cos * c) * side
+        if float(nearest(tree(x, own), turned_)[2].mean()) < UNSEEN:
+            said = replace(said, across=0.0)
+    return said
+
+
+def _leans(tilt: float, towards: float, fine: bool) -> tuple[float, float]:
+    """The tilt and where it goes towards, in degrees, as they are said."""
+    if fine:
+        tilt = _said(tilt, 1)
+        return tilt, _said(towards, 1) if tilt else 0.0
+    w = math.radians(towards)
+
+    def off(one: tuple[int, int]) -> float:
+        """How far a way that is said is from the one that is meant: the cosine between them."""
+        a, b, t = math.radians(one[0]), math.radians(one[1]), math.radians(tilt)
+        return -(math.cos(a) * math.cos(t) + math.sin(a) * math.sin(t) * math.cos(b - w))
+
+    best = min([(0, 0), *((a, b) for a in LEANS for b in range(0, 360, TURN))], key=off)
+    return float(best[0]), float(best[1])
+
+
+def mirrored(one: Placed, two: Placed, fine: bool) -> tuple[Placed, Placed]:
     """A pair that leans as each other's mirror image, by what both say on the average, at the same round. How each is turned
     about itself stays: both are worked the same way round, and lean the same way as they are."""
-    tilt = _said(0.5 * (one.tilt + two.tilt))
     half = _between(one.towards, -two.towards)
-    rounds = round(0.5 * (one.spot.round + two.spot.round) / QUARTER) * QUARTER
-    first = replace(one, tilt=tilt, towards=_said(half) if tilt else 0.0)
-    second = replace(two, tilt=tilt, towards=_said(-half) if tilt else 0.0)
-    return replace(first, spot=replace(one.spot, round=rounds)), replace(second, spot=replace(two.spot, round=rounds))
+    step = QUARTER if fine else 0.5
+    rounds = round(0.5 * (one.spot.round + two.spot.round) / step) * step
+    tilt, towards = _leans(0.5 * (one.tilt + two.tilt), half, fine)
+    return (
+        replace(one, tilt=tilt, towards=towards, spot=replace(one.spot, round=rounds)),
+        replace(two, tilt=tilt, towards=-towards % 360.0, spot=replace(two.spot, round=rounds)),
+    )
 
 
 def _between(a: float, b: float) -> float:
@@ -160,8 +203,8 @@ def bodies_of(bodies: list[Array], node: int) -> Array:
     return next(nodes for nodes in bodies if node in nodes)
 
 
-def _said(angle: float) -> float:
-    return float(STEP * round(angle / STEP) % 360)
+def _said(angle: float, step: int) -> float:
+    return float(step * round(angle / step) % 360)
 
 
 def _line(said: Placed) -> str:
@@ -179,8 +222,10 @@ def spot_of(
     point: Array,
     only: float | None = None,
     looks: tuple[Array, Array, float] | None = None,
+    fine: bool = True,
 ) -> Spot:
-    """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``; in the round ``only``.
+    """The place of a part that is nearest to ``point``; in the round ``only``. ``fine``: to a quarter of a round and of a stitch, else
+    on a round or between two, and on a stitch.
 
     looks : normals (N, 3), a way (3,) and the end's radius: of places that are hardly farther off, the one whose fabric looks that way
     """
@@ -201,7 +246,8 @@ def spot_of(
     at = int(np.flatnonzero(nodes == node)[0])
     point = point if looks is None else 0.5 * (point + x[node])
     best: tuple[float, Spot] | None = None
-    for r in np.arange(number - 1.0, number + 1.01, QUARTER):
+    half, share = (0.5, 1.0) if not fine else (QUARTER, QUARTER)
+    for r in np.arange(number - 1.0, number + 1.01, half):
         if not min(numbers) <= r <= max(numbers) or (only is not None and r != only):
             continue
         low = math.floor(r)
@@ -210,7 +256,7 @@ def spot_of(
             continue
         count = len(spots.stitches(low_k))
         middle = at if low_k == k else (at + 0.5) / len(nodes) * count - 0.5
-        for s in np.arange(round(middle) - 1.5, round(middle) + 1.51, QUARTER):
+        for s in np.arange(round(middle) - 2.0, round(middle) + 2.01, share):
             stitch = float(s % count) + 1.0
             place = spots.place(Spot(name, float(r), stitch))
             there = (np.array(place.weights)[:, None] * x[list(place.nodes)]).sum(0)

@@ -175,12 +175,13 @@ def faces_of(
     bumps: tuple[Bump, ...],
     pieces: list[Piece],
     stitch: tuple[float, float],
+    fine: bool,
     color: tuple[Array, Array] | None,
     tell: list[str],
 ) -> list[str]:
     """The lines that make eyes and a nose of the bumps of a face, the two eyes first.
 
-    pieces : with the places of their copies; stitch : mm; color : the model's vertices (V, 3) and their colours (V, 3), if it has any
+    pieces : with the places of their copies; stitch : mm; fine : places as near as can be; color : the model's vertices (V, 3) and their colours (V, 3), if it has any
     """
     if not bumps:
         return []
@@ -193,7 +194,7 @@ def faces_of(
     def spot(point: Array) -> tuple[str, float, float]:
         node = int(((x - point) ** 2).sum(1).argmin())
         name = pieces[int(owner[node])].name(int(number[node]))
-        there = spot_of(spots, x, spots.parts[name], name, point)
+        there = spot_of(spots, x, spots.parts[name], name, point, fine=fine)
         return name, there.round, there.stitch or 1.0
 
     def shade(bump: Bump, other: RGB) -> str:

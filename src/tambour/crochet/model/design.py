@@ -114,7 +114,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         if mesh.color is not None:
             first = np.concatenate([origin for _, _, origin in found])
             shades = target.vertices, mesh.color[first]
-        lines += [line for face in bumps for line in faces_of(face, pieces, stitch, shades, tell)]
+        lines += [line for face in bumps for line in faces_of(face, pieces, stitch, params.plain_ <= 0.0, shades, tell)]
     if shades is not None:
         plain = uncoloured(*shades, tuple(b for face in bumps for b in face))
         how = dye(target.tree, target.faces, plain, target.points, params.colors)

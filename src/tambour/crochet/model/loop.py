@@ -114,8 +114,8 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
     """The best rounds that corrections lead to, and the mean distances on the way: of counts first, then of threads as well."""
     best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
     stuffed = (best.rounds.stuffing or task.params.stuffing) != "none"
-    most = int(sum(best.counts) * (1.5 - task.plain) / threads.EVERY) if stuffed else 0
-    add, tighter = max(1, most // BATCHES), threads.FIRST
+    most = threads.most(sum(best.counts), task.plain) if stuffed else 0
+    bare, add, tighter = best, max(1, most // BATCHES), threads.FIRST
     for _ in range(BATCHES + SPARE):
         holds = threads.chosen(best, min(add, most - len(best.holds)), tighter)
         if len(holds) == len(best.holds):
@@ -128,7 +128,7 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
             break
         else:  # fewer at once, and no tighter than they belong
             add, tighter = add // 2, 0.0
-    return best, history
+    return (best if task.plain <= 0.0 or threads.worth(bare, best) else bare), history
 
 
 def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:

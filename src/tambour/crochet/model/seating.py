@@ -65,7 +65,7 @@ def seated(
                 ]
                 seats = {}
             aims = {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}
-            lines = placed(pieces, aims, mirrored is not None)
+            lines = placed(pieces, aims, mirrored is not None, params.plain_ <= 0.0)
             built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
             goal = np.concatenate([g for p in pieces for g in p.goals])
             lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))

@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from tambour.crochet.model.loop import Tried
 
 EVERY = 40
-"""A part has a thread for so many of its stitches, at the most; half as many where it shall be as easy as can be."""
+"""A part that shall be as near as can be has a thread for so many of its stitches, at the most."""
+FEW, WINS, AMOUNT = 2, 0.2, 0.08
+"""Any other has so many at the most, and only where they take such a share, and so much, in stitches, off its mean distance."""
 APART = 2.5
 """Ends of threads lie at least so far from each other, in stitches: each wants fabric of its own."""
 PROUD, MORE = 0.3, 0.6
@@ -30,6 +32,17 @@ are too far apart, and at the most by such a share of their way."""
 
 Hold = tuple[int, float, int, float, float]
 """A thread: the round, from 0, and the share of the way round it, of either end; and how much tighter than its ends belong, in stitches."""
+
+
+def most(stitches: int, plain: float) -> int:
+    """How many threads a part of so many stitches has at the most; the easiest rounds have none."""
+    return int(1.5 * stitches / EVERY) if plain <= 0.0 else FEW if plain < 1.0 else 0
+
+
+def worth(bare: Tried, pulled: Tried) -> bool:
+    """Whether threads win so much that a maker is asked to pull them."""
+    won = bare.distance.mean - pulled.distance.mean
+    return won >= max(AMOUNT, WINS * bare.distance.mean)
 
 
 def held(holds: tuple[Hold, ...], counts: list[int]) -> list[tuple[int, int, float]]:

@@ -19,6 +19,7 @@ from tambour.crochet.page.album import Album
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import words
+from tambour.crochet.page.ofmodel import noted, of_model, spoken
 from tambour.crochet.page.placed import Spoken
 from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, wrap
 from tambour.crochet.page.wording import Words
@@ -83,9 +84,11 @@ class Book:
         params = piece.params
         self.piece, self.album = piece, Album(piece)
         self.said: Words = words(piece.built, params.terms, exact=False)
+        if of_model(piece):
+            self.said = noted(self.said, piece)
         self.code = self.said.terms.code
         self.hers = hers(piece.built.pattern, self.code)
-        self.spoken = Spoken(piece.built, self.said.terms)
+        self.spoken = spoken(piece, self.said) if of_model(piece) else Spoken(piece.built, self.said.terms)
         self.own = self.said.terms.page
         self.taken = Taken(piece, self.own)
         stated = piece.built.pattern.stated

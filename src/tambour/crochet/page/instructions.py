@@ -6,6 +6,7 @@ from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.tree import Pattern
+from tambour.crochet.page.ofmodel import dressed, of_model
 from tambour.crochet.page.plain import spelled, unmarked, with_eyes
 from tambour.crochet.page.wording import Words
 from tambour.crochet.page.writer import Writer
@@ -15,6 +16,8 @@ from tambour.crochet.words.table import TERMS
 
 def view(piece: Plush) -> Text:
     """The pattern of a piece as a printed text, in the words that its params ask for."""
+    if of_model(piece):
+        return _text(dressed(words(piece.built, piece.params.terms), piece), piece.built.pattern.text.name)
     return instructions(piece.built, piece.params.terms, exact=not by_people(piece.built.pattern))
 
 
@@ -35,6 +38,11 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
     made = words(piece, terms, exact=exact)
     if not exact:
         made = with_eyes(made, build(piece) if isinstance(piece, Pattern) else piece)
+    return _text(made, piece.text.name if isinstance(piece, Pattern) else piece.pattern.text.name)
+
+
+def _text(made: Words, name: str) -> Text:
+    """Words as a printed text."""
     word = made.terms.word
     lines = [f"# {made.title}", ""] if made.title else []
     if made.materials or made.colors:
@@ -56,7 +64,6 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
         lines += [*(f"{said}  " for said in part.lines), ""]  # each a line of its own in Markdown as well
     if made.seams or made.finish:
         lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in (*made.seams, *made.finish)), ""]
-    name = piece.text.name if isinstance(piece, Pattern) else piece.pattern.text.name
     return Text("\n".join(lines).rstrip("\n") + "\n", name)
 
 

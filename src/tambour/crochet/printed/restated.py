@@ -191,6 +191,8 @@ class _Reader:
             return
         head, _, words = said.partition(": ")
         key = next((k for k in ("yarn", "hook", "eyes") if head == self.terms.word(k)), None)
+        if head == self.terms.page["stuffing"]:
+            return  # it is reckoned anew
         if key is None:
             raise _Unknown
         self.stated[key] = (words, span)

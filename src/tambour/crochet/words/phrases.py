@@ -47,9 +47,18 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
 }
 """Sentence → the action that it says, and the numbers that it implies."""
 
+LEANS: Final = (15, 30, 45, 60, 75)
+"""How far a part leans, in degrees, of those that there are words for."""
+TURN: Final = 45
+"""Ways that a part leans towards, and how far it is turned about itself, have words in steps of so many degrees."""
+WAYS: Final = ("ways", "ways on top", "ways underneath")
+"""Where the eight ways are said: on the sides of a toy, on top of it and underneath; the first of each is up."""
+
 _NOWHERE: Final = Span(0, 0)
-_FINISH: Final = ("place", "tie", "eye", "embroider", "felt", "hair")
+_FINISH: Final = ("place", "place said", "tie", "eye", "embroider", "felt", "hair")
 _SILENT: Final = ("flat", "front")
+_PLACED: Final = {"onto": "onto", "spot": "spot", "flat": "flat", "lean": "tilt", "way": "towards", "about": "across"}
+"""What a person says of a part sewn on → what it is of the record; where it is in words comes to nothing: its spot says it."""
 _NUMBER = r"-?\d{1,9}(?:\.\d+)?"
 _LABEL = r"[A-Za-z0-9_]+(?:\.\d+)?"
 _PIECES = re.compile(r"\{(\w+)\}|\[([^\]]*)\](?!\s*[x*])|([^{\[]+|\[)")
@@ -218,6 +227,36 @@ class Phrases:
                     "hair", part=part, spots=spots, count=record.count, length=record.length, color=odd("color")
                 )
 
+    def sewn(self, record: Placed, where: str, ways: str) -> str | None:
+        """The sentence of a part sewn on as a person says it, who is told ``where`` in words too; None where its angles have none.
+
+        ways : of WAYS, those of where it is sewn
+        """
+        turns = self._listed("turns")
+        if (
+            record.by is not None
+            or record.through
+            or record.towards % TURN
+            or record.across % TURN
+            or record.tilt not in (0, *LEANS)
+        ):
+            return None
+        return self.say(
+            "place said",
+            part=record.part,
+            onto=record.spot.part,
+            where=where,
+            spot=record.spot,
+            flat=True if record.flat else None,
+            lean=self._listed("leans")[LEANS.index(int(record.tilt))] if record.tilt else None,
+            way=self._listed(ways)[int(record.towards % 360) // TURN],
+            about=turns[int(record.across % 360) // TURN - 1] if record.across % 360 else None,
+        )
+
+    def _listed(self, key: str) -> list[str]:
+        """What a table lists between commas."""
+        return [said.strip() for said in self.terms.page[key].split(",")]
+
     # -- reading --------------------------------------------------------------------------------------------------
 
     def read(self, text: str, keys: Iterable[str] = tuple(SENTENCES)) -> tuple[str, dict[str, Any]] | None:
@@ -262,6 +301,8 @@ class Phrases:
             return None
         key, fields = found
         part = fields.pop("part")
+        if key == "place said":
+            key, fields = "place", {of: fields[name] for name, of in _PLACED.items() if name in fields}
 
         def spot(at: tuple[float, float | None], where: str = part) -> Spot:
             return Spot(where, *at, span)
@@ -320,9 +361,19 @@ class Phrases:
             return r"#[0-9a-f]{6}"
         if field in ("count", "next", "first", "last", "through"):
             return r"\d{1,9}"
-        if field in ("name", "item", "items"):
+        if field in ("name", "item", "items", "where"):
             return ".+?"
+        if field in ("lean", "way", "about"):
+            return "|".join(map(re.escape, sorted(self._angles(field), key=len, reverse=True)))
         return _NUMBER
+
+    def _angles(self, field: str) -> dict[str, float]:
+        """The words for how far a part leans, where to, or how far it is turned → degrees."""
+        if field == "lean":
+            return {said.lower(): float(a) for said, a in zip(self._listed("leans"), LEANS)}
+        if field == "about":
+            return {said.lower(): float(TURN * (k + 1)) for k, said in enumerate(self._listed("turns"))}
+        return {said.lower(): float(TURN * k) for key in WAYS for k, said in enumerate(self._listed(key))}
 
     def _heard(self, field: str, words: str) -> Any:
         if field in _SILENT:
@@ -337,7 +388,9 @@ class Phrases:
             return self._place(words)
         if field == "spots":
             return [self._place(piece) for piece in words.split(";")]
-        if field in ("label", "one", "other", "letter", "name", "item", "items"):
+        if field in ("lean", "way", "about"):
+            return self._angles(field)[" ".join(words.lower().split())]
+        if field in ("label", "one", "other", "letter", "name", "item", "items", "where"):
             return words.upper() if field == "letter" else words
         return int(words) if field in ("count", "next", "first", "last", "through") else float(words)
 

@@ -63,6 +63,7 @@ SENTENCES: Final = {
     "up side": "",
     # Finishing.
     "place": "part onto spot flat across tilt towards by through",
+    "place said": "part onto where spot flat lean way about",  # the same as a person says it
     "eye": "part spot size color",
     "tie": "part spot far apart",
     "embroider": "part spots color width",
