@@ -153,13 +153,17 @@ def test_a_ball_becomes_a_pattern_that_is_one() -> None:
 
 
 @pytest.mark.slow
-def test_the_loop_mends_rounds_that_began_too_wide(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("times", "threads", "least", "most"), [(1.4, 10, 0.5, 0.3), (0.8, 0, 0.5, 0.12)])
+def test_the_loop_mends_rounds_that_began_too_wide_with_threads_and_too_narrow_without(
+    monkeypatch: pytest.MonkeyPatch, times: float, threads: int, least: float, most: float
+) -> None:
     x, faces = globe(40.0)
-    monkeypatch.setattr(Fronts, "girths", property(lambda self: 1.4 * np.array([girth(line) for line in self.lines])))
+    monkeypatch.setattr(Fronts, "girths", property(lambda self: times * np.array([girth(line) for line in self.lines])))
+    monkeypatch.setattr("tambour.crochet.model.threads.FEW", threads)
     piece, _ = made(Mesh(x, faces), stitches=400)
     assert piece.aim is not None
     way = piece.aim.history["Body"]
-    assert way[0] > 0.5 > 0.3 > min(way)
+    assert way[0] > least > most > min(way)
     assert piece.aim.distance["mean"] == pytest.approx(min(way), abs=0.05)
 
 
@@ -167,7 +171,7 @@ def test_the_loop_mends_rounds_that_began_too_wide(monkeypatch: pytest.MonkeyPat
 def test_what_misses_its_model_is_told_with_its_part_and_round_and_a_ball_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("tambour.crochet.model.threads.EVERY", 10_000)  # which would pull it in
+    monkeypatch.setattr("tambour.crochet.model.threads.FEW", 0)  # which would pull it in
     box, told = made(Mesh(40.0 * BOX * [1.0, 1.0, 0.4], SIDES), stitches=800)
     assert [w.message[:23] for w in told.warnings] == ["Body misses its model: "]
     assert "about its round 1, which lies outside of it" in told.warnings[0].message
