@@ -46,6 +46,8 @@ from tambour.crochet.model.settled import settled
 from tambour.crochet.model.tips import Mirror, facing, mirror, stands
 from tambour.crochet.model.whole import bodies, refined, volume, where
 from tambour.crochet.page import instructions
+from tambour.crochet.page.instructions import words
+from tambour.crochet.page.ofmodel import noted
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
@@ -345,6 +347,9 @@ def test_mirrored_limbs_are_one_part_made_twice_and_sewn_on() -> None:
     )
     assert "- Yarn: about " in text.text and "**Gauge:** 20 sc x 20 Rnd = 10 cm" in text.text
     assert text.text.count("Fasten off and leave a long tail to sew with") == 1
+    noted_ = noted(words(piece.built, exact=False), piece)
+    for part in noted_.parts:
+        assert sum(row.words.lower().strip("*").startswith(("stuff", "begin to stuff")) for row in part.lines) == 1
     again = make(text, CrochetParams(check=True), told := Progress())
     assert not told.warnings and again.stitch == piece.stitch
     assert again.built.pattern.finish == piece.built.pattern.finish

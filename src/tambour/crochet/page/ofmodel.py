@@ -26,6 +26,8 @@ LEVEL = 0.96
 """A place is on top, or underneath, where its fabric is so level (the cosine of its slope)."""
 STANDS = 0.6
 """A part stands, and has a front, where its axis is so upright (as a cosine); else it lies, and has a top."""
+AROUND = 0.38
+"""Up to so far round it is told from the middle of the front, or of the top; beyond from the other side."""
 FEW = 5
 """A part of fewer rounds is stuffed at its end."""
 _SIDES = {
@@ -126,7 +128,8 @@ def _rows(rows: tuple[Row, ...], part: int, sewn: Sewn, made: Words) -> tuple[Ro
     page, graph = made.terms.page, sewn.spots.built.graph
     notes: dict[int, list[str]] = {}
     worked = [k for k, row in enumerate(rows) if row.label]
-    if graph.parts[part].stuffing > 0.0 and worked:
+    told = made.terms.sentences["stuff medium"].capitalize() + "."
+    if graph.parts[part].stuffing > 0.0 and worked and all(row.words != told for row in rows):
         inside = reach([(row.count, bool(row.label)) for row in rows])
         at = next((k for k in worked if rows[k].number >= FEW), worked[-1])
         notes.setdefault(min(at, inside) if inside >= 0 else at, []).append(page["stuff now"])
@@ -196,7 +199,8 @@ class Sewn:
         nodes, middles = ring
         n, at = len(nodes), int(record.spot.stitch) - 1
         off = {side: (at - i + n // 2) % n - n // 2 for side, i in middles.items()}
-        side = min(off, key=lambda s: abs(off[s]))
+        first, other = off
+        side = first if abs(off[first]) <= AROUND * n else other  # a pair is told from one side
         what = self.page[side]
         if not off[side]:
             return self.page["at mid"].format(what=what)
