@@ -264,3 +264,69 @@ def test_letters_that_files_join_are_printed_apart() -> None:
     from tambour.crochet.page.type import wrap
 
     assert wrap("Stuﬃng, ﬁrst", 3.0, 80.0) == ["Stuffing, first"]
+
+
+def test_legs_that_become_a_body_are_written_as_legs_and_a_body() -> None:
+    """Both legs were printed round by round under "Legs and body", with a marker and a bridge, and her headings stood as sentences."""
+    from tambour.crochet.page.instructions import words
+    from tambour.crochet.printed.choose import read
+
+    text = """Doll
+
+Yarn: DK in white and teal
+
+LEGS (make 2)
+Start with white.
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3-5: 12 sc (12)
+FO the first leg, not the second.
+
+BODY
+Change to teal.
+Rnd 6: ch 3, join to the first leg with a sc, 11 sc around the first leg, 3 sc along the chain, 12 sc around the second leg, 3 sc along the other side of the chain (30)
+Rnd 7-9: 30 sc (30)
+"""
+    legs, body = words(read(Text(text, "doll.txt")), exact=False).parts
+    assert (legs.title, body.title) == ("LEGS (make 2)", "BODY")
+    assert [row.label for row in legs.lines if row.label] == ["Rnd 1", "Rnd 2", "Rnd 3-5"]
+    first = next(row for row in body.lines if row.label)
+    assert (first.label, first.count) == ("Rnd 6", 30) and first.words.startswith(
+        "ch 3, join to the first leg with a sc, 11 sc"
+    )
+    assert not any("marker" in str(row) or "white" in str(row).lower() for row in body.lines)
+
+
+def test_what_she_says_before_a_step_stands_before_it() -> None:
+    from tambour.crochet.page.hers import hers
+    from tambour.crochet.printed.choose import read
+
+    text = """Bear
+
+It is about 12 cm (4.7") tall when
+worked as I do.
+Yarn: DK, brown
+
+Body
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3-6: 12 sc (12)
+Stuff the body firmly and
+keep it round.
+
+Ears (make 2)
+Rnd 1: 6 sc in magic ring (6)
+Fasten off.
+
+ASSEMBLY
+1. Pin everything first!
+2. Sew the ears to the body between Rnds 2 and 3.
+3. Enjoy your bear.
+"""
+    made = hers(read(Text(text, "bear.txt")), "us")
+    assert made is not None
+    assert list(made.ahead.values()) == [["Pin everything first!"]] and made.closing == ["Enjoy your bear."]
+    assert [words for _, words, _ in made.inside[0]] == ["Stuff the body firmly and keep it round."], (
+        "a sentence is never cut at a line"
+    )
+    assert made.size == 'about 12 cm (4.7") tall'

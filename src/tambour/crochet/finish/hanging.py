@@ -1,4 +1,4 @@
-"""Hanging: a part that is worked on a whole round of another, a skirt on its body, brought there: around it, and down."""
+"""Hanging: a part that is worked on a whole round of another brought there: a skirt around its body, and down; a layer on its like."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.finish.sewing import CLEARANCE, End, brought, held
-from tambour.geometry.motion import dot, length
+from tambour.geometry.motion import axes, dot, length
 
+_UPWARDS = 0.5
+"""Of a layer that looks up as much as ahead, which of both counts for less."""
 _BAND = 1.5
 """How far above and below a stitch, in stitches, the fabric is that it must hang outside of."""
 
@@ -25,6 +27,15 @@ def hung(x: Array, own: Array, end: End, ring: Array, host: Array, up: Array) ->
     moved = brought(x, own, how, down, front / float(length(front)), middle)
     moved = _outside(moved, x[host], middle, down)
     return moved, _pairs(moved[np.searchsorted(own, end.nodes)], end.nodes, x[ring], ring)
+
+
+def laid_on(x: Array, own: Array, end: End, ring: Array, host: Array) -> tuple[Array, Array]:
+    """Where the nodes ``own`` lie (K, 3) that are the second layer of ``host``, worked alike: before it, stitch on stitch; and the pairs
+    (S, 2) of their edges."""
+    there = x[host]
+    _, ways = axes(there)
+    ahead = ways[2] if ways[2][2] + _UPWARDS * ways[2][1] >= 0.0 else -ways[2]
+    return there + CLEARANCE * ahead, np.column_stack([end.nodes, ring])
 
 
 def _outside(moved: Array, fabric: Array, middle: Array, down: Array) -> Array:

@@ -16,7 +16,7 @@ from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.capped import across, drawn_over, lid_on, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
-from tambour.crochet.finish.hanging import hung
+from tambour.crochet.finish.hanging import hung, laid_on
 from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.built import Built
@@ -279,7 +279,11 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         own = bodies[body[part]]
         if f.around:
             ring = spots.stitches(_round_of(spots, f))
-            x[own], pairs = hung(x, own, end, ring, bodies[body[other]], upright[other])
+            there = bodies[body[other]]
+            layer = len(own) == len(there) and f.by == f.spot.round and len(end.nodes) == len(ring)
+            x[own], pairs = (
+                laid_on(x, own, end, ring, there) if layer else hung(x, own, end, ring, there, upright[other])
+            )
             seams.append(pairs)
             held.append((int(own[0]), int(ring[0])))
             group[body[other]].extend(group[body[part]])

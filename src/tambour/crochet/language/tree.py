@@ -143,6 +143,8 @@ class Section:
     hollow : the first and the last number of the rounds that are pushed inside; hollow_span : where that is said
     other : every other parameter, as text
     guessed : its stuffing is our guess by its name, which is never printed as the pattern's word
+    heading : what the text heads it with, where that is made in several colours, and this is one of them; twin : not the first
+    also : the headings of pieces that were worked before, and are of it since a round joins them
     """
 
     name: str
@@ -159,6 +161,9 @@ class Section:
     hollow_span: Span | None = None
     other: Mapping[str, str] = field(default_factory=dict)
     guessed: bool = False
+    heading: str = ""
+    twin: bool = False
+    also: tuple[Span, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,7 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     found = [replace(step, parts=tuple(k for k in step.parts if k not in beside)) for step in found]
     if not found:
         return []
-    high = width * (0.66 if len(found) <= 4 else 0.55)
+    high = width * (0.62 if len(found) <= 4 else 0.5)
     sentences = _sentences(book, found)
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):
@@ -170,7 +170,9 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
             words = book.words_of(record).rstrip(".") + "."
             if words not in told:
                 told.add(words)
-                more = book.hers.beside.get((record.span.start, record.span.end), []) if book.hers is not None else []
+                place = record.span.start, record.span.end
+                more = book.hers.beside.get(place, []) if book.hers is not None else []
+                made[i] += book.hers.ahead.get(place, []) if book.hers is not None else []
                 made[i].append(" ".join([words, *more]))
         ours = [r for r in records if r not in own]
         made[i] += book.spoken(ours)

@@ -102,9 +102,10 @@ def begin(book: Book) -> None:
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
 
-    rows = paragraph(book.said.size, width, bold=True) if book.said.size else []
-    rows += [pair(what, much, width) for what, much in size_lines(book, size)]
-    if size.how in own:
+    rows = paragraph(book.sized, width, bold=True) if book.sized else []
+    # What she says is on the cover, and is what a buyer holds her to: ours beside it would be a second size.
+    rows += [] if book.sized else [pair(what, much, width) for what, much in size_lines(book, size)]
+    if size.how in own and not book.sized:
         rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
     chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))

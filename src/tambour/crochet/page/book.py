@@ -75,7 +75,7 @@ class Book:
     piece, said : the plush and its words; album : what its small pictures share; own : the page's own words
     hers : the designer's own sentences, None where they are ours; spoken : says where parts go; code : of the terms
     taken : says what the pictures have where she leaves something open
-    accent : a colour for headings, the main yarn's, dark enough to read
+    sized : the finished size in her words, "" where she says none; accent : a colour for headings, the main yarn's, dark enough to read
     photos : the designer's own, (where in her text, picture), the first for the cover; low : little ink is used
     scale : how much larger than they are set its pages are printed
     """
@@ -97,6 +97,7 @@ class Book:
         self.title = " ".join(title.split()) or self.own["pattern"]
         said = self.hers.designer if self.hers is not None else ""
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0] or said).split())
+        self.sized = self.said.size or (self.hers.size if self.hers is not None else "")
         self.scale = LARGE if params.large_print else 1.0
         wide, high = PAPERS[params.page]
         self.paper, self.size = (wide, high), (wide / self.scale, high / self.scale)

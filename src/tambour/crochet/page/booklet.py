@@ -114,7 +114,7 @@ def _cover(book: Book) -> None:
         f"{book.said.terms.word('finished size')}, {book.own['length' if long else 'height' if upright else 'width']}"
     )
     of = whole_.extent[2] if long else whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2])
-    hers = _ASIDE.sub("", " ".join(book.said.size.split()))
+    hers = _ASIDE.sub("", " ".join(book.sized.split()))
     if hers and len(wrap(hers, LEAD, room / 3 - 4.0, True)) <= 2:
         facts = [(book.said.terms.word("finished size"), hers)]  # what she says is what a buyer will hold her to
     else:

@@ -32,13 +32,19 @@ def helps(built: Built) -> frozenset[int]:
     """The parts that a chart tells better than words: of other stitches than the plain ones, or shaped unevenly."""
     found = set[int]()
     for _, part, lines in sections(built):
-        done = [d.what for line in lines for unit, _ in line.pieces for d in unit]
+        done = [d.what for line in lines if not _joins(line) for unit, _ in line.pieces for d in unit]
         spaces = any(_spaces(line) for line in lines if line.number)
         odd = any(what not in _PLAIN and not _INTO.fullmatch(what) for what in done)
-        uneven = any(_units(line) > _FEW for line in lines if line.number)
+        plain = [line for line in lines if line.number and not _joins(line)]
+        uneven = any(_units(line) > _FEW for line in plain)
         if (odd or spaces or uneven) and not set(done) <= _CHAIN:
             found.add(part)
     return frozenset(found)
+
+
+def _joins(line: Written) -> bool:
+    """Whether a round joins two pieces, or only closes an end."""
+    return any(d.what in ("attach", "fold") for unit, _ in line.pieces for d in unit)
 
 
 def _worked(line: Written) -> list[list[str]]:

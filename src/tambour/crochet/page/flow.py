@@ -155,7 +155,7 @@ def flow(
                     y += atom.height
 
 
-_BEGIN = 0.4
+_BEGIN = 0.28
 """What does not fit on the rest of a page begins there if so much of it is white."""
 
 

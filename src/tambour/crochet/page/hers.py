@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.finishes import Eye
+from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.language.tree import Action, Line, Pattern
 from tambour.crochet.page.instructions import by_people
 from tambour.crochet.words.table import TERMS, Terms
@@ -75,6 +75,13 @@ _BY: Final = re.compile(
 _TERM: Final = re.compile(
     r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*(?=[;|\n]|$)"
 )
+_LENGTH: Final = r"\d+(?:[.,]\d+)?\s*-?\s*(?:cm|inch(?:es)?|in\b|[\"”″])"
+_TALL: Final = re.compile(
+    rf"(?:(?:about|approx\.?|approximately|around|ca\.?|roughly)\s+)?{_LENGTH}(?:\s*[(/]\s*{_LENGTH}\s*\)?)?\s*(?:tall|high|long|in height)\b"
+    rf"|(?<=size )(?:(?:about|approx\.?|approximately|is)\s+)*{_LENGTH}(?:\s*[(/]\s*{_LENGTH}\s*\)?)?",
+    re.IGNORECASE,
+)
+"""What a sentence says of the finished toy's size."""
 _MORE_OF: Final = re.compile(
     r"(?:they|it|this|these|those|both|each|make sure|be sure|check|use|leave|stuff|add)\b", re.IGNORECASE
 )
@@ -91,23 +98,28 @@ class Hers:
     """A designer's sentences. intro : before the parts; closing : after them, but what puts the parts together.
 
     materials : her list of them, line by line; terms : her abbreviations and what they mean; designer : "" unsaid
+    size : what she says of it in a sentence ("about 25 cm (10") tall"), "" for nothing
     inside : place of a part among the pattern's → (the round after which it stands, 0 before the first; sentence)
     beside : of a sentence that puts something somewhere (from, to) → those behind it in its line that say more of it
+    ahead : the same → those that stand before it and behind the one before
     """
 
     intro: list[str] = field(default_factory=list)
     materials: list[str] = field(default_factory=list)
     terms: dict[str, str] = field(default_factory=dict)
     designer: str = ""
+    size: str = ""
     inside: dict[int, list[tuple[int, str, Span]]] = field(default_factory=dict)
     beside: dict[tuple[int, int], list[str]] = field(default_factory=dict)
+    ahead: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     closing: list[str] = field(default_factory=list)
 
     @property
     def sentences(self) -> list[str]:
         """All that is set in her words among the rounds and behind them."""
         among = [words for said in self.inside.values() for _, words, _ in said]
-        return [*among, *self.closing, *(words for said in self.beside.values() for words in said)]
+        steps = [words for said in (*self.beside.values(), *self.ahead.values()) for words in said]
+        return [*among, *self.closing, *steps]
 
 
 def hers(pattern: Pattern, code: str) -> Hers | None:
@@ -121,7 +133,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     made = Hers()
     assembly = {*_ASSEMBLY, terms.word("assembly").lower()}
     lines = [(m.start(), m.end(), m[0]) for m in re.finditer(r"[^\n]+", text)]
-    starts = sorted((s.span.start, k) for k, s in enumerate(pattern.parts))
+    starts = sorted((at.start, k) for k, s in enumerate(pattern.parts) if not s.twin for at in (s.span, *s.also))
     heads = {text.rfind("\n", 0, a) + 1 for a, _ in starts}
     first = starts[0][0] if starts else 0
     last = starts[-1][0] if starts else len(text)
@@ -132,14 +144,17 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     unread = [u.span for u in pattern.unread if u.span is not None]
     loose = [s for s in (*pattern.passed, *unread) if any(c.start < s.start and s.end <= c.end for c in covered)]
     finishing = {_span(record) for record in pattern.finish}
-    stepped = [record.span for record in pattern.finish if not isinstance(record, Eye)]
+    worked = [r for r in pattern.finish if isinstance(r, Eye) or (isinstance(r, Placed) and r.through)]
+    stepped = [record.span for record in pattern.finish if record not in worked]
     _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
-    for a, b, _ in lines:
+    made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
+    waiting: list[str] = []  # what she says before the next step
+    for a, b, _ in _whole(lines, text, heads):
         if a < first and a not in heads:
             continue
         if a >= after:
             if a not in assembles:
-                _closing(made, text, a, b, finishing)
+                _closing(made, text, a, b, finishing, {(s.start, s.end) for s in stepped}, waiting)
             continue
         part = max(((start, k) for start, k in starts if start <= a), default=(0, 0))[1]
         for words, span in _sentences(text, a, b):
@@ -149,7 +164,10 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
                 c.start < span.end and span.start < c.end for c in covered
             ):
                 made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
+    made.closing += waiting
     for span in loose:
+        if any(one == span for said in made.inside.values() for _, _, one in said):
+            continue
         part = max(((start, k) for start, k in starts if start <= span.start), default=(0, 0))[1]
         words = _clean(text[span.start : span.end])
         if _LETTER.search(words):
@@ -200,17 +218,45 @@ def _told(span: Span, step: Span) -> bool:
     return min(span.end, step.end) - max(span.start, step.start) >= _MOSTLY * (span.end - span.start)
 
 
-def _closing(made: Hers, text: str, a: int, b: int, finishing: set[tuple[int, int]]) -> None:
-    """The sentences of a line of the assembly that no finishing record tells: they go with the one before them in their line."""
+_ENDED: Final = (".", "!", "?", ":", ")", "]", "*", "|")
+
+
+def _whole(lines: list[tuple[int, int, str]], text: str, heads: set[int]) -> list[tuple[int, int, str]]:
+    """Lines with those that only go on with them, where a sentence was broken at the edge of a page."""
+    made: list[tuple[int, int, str]] = []
+    for a, b, line in lines:
+        before = made[-1] if made else None
+        goes_on = line[:1].islower() and text[before[1] : a] == "\n" if before is not None else False
+        if before is not None and goes_on and not before[2].rstrip().endswith(_ENDED) and before[0] not in heads:
+            made[-1] = (before[0], b, text[before[0] : b])
+        else:
+            made.append((a, b, line))
+    return made
+
+
+def _closing(
+    made: Hers,
+    text: str,
+    a: int,
+    b: int,
+    finishing: set[tuple[int, int]],
+    steps: set[tuple[int, int]],
+    waiting: list[str],
+) -> None:
+    """The sentences of a line of the assembly that no finishing record tells: they go with the one before them in their line, else
+    they wait for the next of the ``steps``."""
     before: tuple[int, int] | None = None
     for words, span in _sentences(text, a, b):
         mine = next((one for one in finishing if one[0] < span.end and span.start < one[1]), None)
         if mine is not None:
             before = mine
+            if waiting and mine in steps:
+                made.ahead[mine] = [*made.ahead.get(mine, []), *waiting]
+                waiting.clear()
         elif before is not None and _MORE_OF.match(words):
             made.beside.setdefault(before, []).append(words)
         else:
-            made.closing.append(words)
+            waiting.append(words)
 
 
 def _ends(line: Line) -> bool:

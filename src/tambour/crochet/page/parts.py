@@ -27,6 +27,9 @@ _SOME, _UPRIGHT = 6, 0.8
 _WHOLE = 0.8
 """A part that takes no more than this of a column is not broken."""
 _TICK = 2.5
+_WHICH = re.compile(r"(?:the )?(?:first|second|1st|2nd|other|left|right) \w+\W*$", re.IGNORECASE)
+"""A heading of one of two pieces that are written as one."""
+_ROUND = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)\.?\s*(\d+)(?:\s*[-–]\s*(?:r)?(\d+))?", re.IGNORECASE | re.MULTILINE)
 _WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 
 
@@ -45,13 +48,27 @@ def rounds(book: Book) -> list[Chunk]:
             and block.part >= 0
             and parts[block.part].end - parts[block.part].start > 2
         ):
-            picture = of_parts(book.album, [block.part], round(width * DOTS), round(_THUMB * DOTS))
+            picture = of_parts(book.album, _alike(book, block), round(width * DOTS), round(_THUMB * DOTS))
             heads.append(_photo(picture, width, _THUMB))
         rows = _rows(book, block, width)
         whole = Chunk([*heads, *rows], block.title)
         fits = whole.height <= _WHOLE * (book.frame.bottom - book.frame.top)
         chunks += [whole] if fits else together(heads, rows, block.title)
     return chunks
+
+
+def _alike(book: Book, block: PartText) -> list[int]:
+    """The first copy of a part, and of those that are the same in other colours."""
+    made, built = [block.part], book.piece.built
+    for k, fact in enumerate(built.parts):
+        if (
+            k > block.part
+            and fact.copy == 1
+            and built.pattern.parts[fact.section].twin
+            and fact.section == block.section + len(made)
+        ):
+            made.append(k)
+    return made
 
 
 def _hers_of(book: Book, block: PartText) -> list[Picture]:
@@ -167,6 +184,11 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
     """A part's lines with what the designer says between them, and with the eyes where hands can still reach."""
     rows = list(block.lines)
     said = book.hers.inside.get(block.section, []) if book.hers is not None else []
+    if block.span is not None:
+        said = [one for one in said if block.span[0] <= one[2].start < block.span[1]]
+        heads = {name.lower() for other in book.said.blocks for name in (other.name, other.title)}
+        said = [one for one in said if one[1].rstrip(".:").lower() not in heads and not _WHICH.match(one[1])]
+        said = [(_after(book, one[2]) or one[0], *one[1:]) for one in said]
     if said:
         whole = " ".join(words.lower() for _, words, _ in said)
         ours = [(row, row.words.lower()) for row in rows if not row.label and not row.colors]
@@ -177,7 +199,9 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
             if (stuffs & set(words.rstrip(".").split()[:1]) and "stuff" in whole)
             or (
                 words in _ends(book)
-                and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn|\bsl(?:ip)? ?st|\bjoin", whole)
+                and re.search(
+                    r"fasten off|finish off|\bfo\b|break yarn|cut (?:the )?yarn|\bsl(?:ip)? ?st|\bjoin", whole
+                )
             )
         ]
         drop += [row for row in rows if not row.label and row.words == _hung_on(book, block)]
@@ -223,6 +247,13 @@ def _hung_on(book: Book, block: PartText) -> str:
     return "" if hung is None else f"{book.own['hung on'].format(n=f'{hung.spot.round:g}', part=hung.spot.part)}."
 
 
+def _after(book: Book, span: Span) -> int:
+    """The number of the round that stands before a sentence, by her text: of a piece that is made twice it is written once."""
+    text = book.piece.built.pattern.text.text
+    heads = list(_ROUND.finditer(text, max(0, text.rfind("\n\n", 0, span.start)), span.start))
+    return int(heads[-1][2] or heads[-1][1]) if heads else 0
+
+
 def _colour_alone(book: Book, row: Row) -> bool:
     """Whether a row says a colour and no stitches."""
     chain = book.said.terms.word("ch")
@@ -242,7 +273,12 @@ def _begun(book: Book, block: PartText, rows: list[Row], span: Span) -> bool:
 def _eyes_here(book: Book, block: PartText) -> list[Eye]:
     built = book.piece.built
     name = built.pattern.parts[block.section].name
-    return [r for r in built.pattern.finish if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1")]
+    last = max((row.number for row in block.lines), default=0)
+    return [
+        r
+        for r in built.pattern.finish
+        if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1") and r.spot.round <= last + 1
+    ]
 
 
 def _said(book: Book, key: str) -> set[str]:

@@ -129,7 +129,12 @@ def _on(record: Finish, names: dict[str, int]) -> int:
 
 def lies(piece: Plush) -> bool:
     """Whether the piece is so flat that one looks down on it."""
-    wide, high, deep = np.ptp(piece.positions, axis=0).tolist()
+    graph = piece.built.graph
+    eyed = {f.spot.part for f in piece.built.pattern.finish if isinstance(f, Eye)}
+    known = Spots(piece.built).parts
+    faces = np.isin(graph.part, [known[name] for name in eyed if name in known])
+    # What has a face shows it, whatever lies spread about it: an octopus on its arms.
+    wide, high, deep = np.ptp(piece.positions[faces] if faces.any() else piece.positions, axis=0).tolist()
     return bool(high < 0.3 * min(wide, deep))
 
 

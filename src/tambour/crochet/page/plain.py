@@ -88,6 +88,8 @@ def with_eyes(made: Words, built: Built) -> Words:
     for part in made.parts:
         name = built.pattern.parts[part.section].name
         eyes = [r for r in finish if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1")]
+        last = max((row.number for row in part.lines), default=0)
+        eyes = [r for r in eyes if r.spot.round <= last + 1]  # legs are written before the body that goes on from them
         if not eyes:
             parts.append(part)
             continue

@@ -36,7 +36,7 @@ class PartText:
     """A part's text: its name as it is headed, how often it is made in words ("(make 2)", "" for once), its lines.
 
     settings : hints for the simulation, which are no instructions; part : its first copy among the graph's parts
-    section : its place among the pattern's parts
+    section : its place among the pattern's parts; span : where its text begins and ends, where that is not all of the part's
     """
 
     name: str
@@ -45,6 +45,7 @@ class PartText:
     settings: tuple[str, ...] = ()
     part: int = -1
     section: int = -1
+    span: tuple[int, int] | None = None
 
     @property
     def title(self) -> str:

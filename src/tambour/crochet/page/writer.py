@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import PurePath
@@ -15,7 +16,8 @@ from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair, Placed
 from tambour.crochet.language.stitches import EDGES, RULES, STITCHES, STUFFING, Stitch
-from tambour.crochet.language.tree import Section
+from tambour.crochet.language.tree import Action, Section
+from tambour.crochet.page.legs import legs
 from tambour.crochet.page.plain import fills, reach
 from tambour.crochet.page.wording import PartText, Row, Words
 from tambour.crochet.page.written import Written, sections
@@ -30,6 +32,9 @@ _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
 _TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
 _CLOSED: Final = 8
 """A part whose last rounds have so few stitches is closed by them."""
+_HEADED: Final = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)?\.?\s*\d+\W*\s", re.IGNORECASE)
+_NUMBERED: Final = re.compile(r"\b(?:rounds?|rnds?|rows?|rd|r)\.?\s*\d+[^.]*$|^\s*\d+\s*[.:)][^.]*$", re.IGNORECASE)
+_COUNTED: Final = re.compile(r"\s*[-–=]*\s*[(\[{]\d+(?:\s*\w+)?[)\]}]\W*$")
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
@@ -62,6 +67,13 @@ def _lettered(text: str) -> dict[RGB, str]:
     return {hue: letter[1] for hue, letter in found if letter is not None}
 
 
+def _hers_first(hues: Mapping[str, RGB], text: str) -> dict[str, RGB]:
+    """The words for colours with those that the text has before the others: what she calls skin is not flesh here."""
+    low = text.lower()
+    hers = sorted((w for w in hues if re.search(rf"\b{re.escape(w.lower())}\b", low)), key=len, reverse=True)
+    return {w: hues[w] for w in dict.fromkeys([*hers, *hues])}
+
+
 class Writer:
     """Writes one pattern in one language."""
 
@@ -70,7 +82,7 @@ class Writer:
         self.built, self.terms, self.pattern = built, terms, built.pattern
         self.sections = list(sections(built, inside=not exact))
         copies = {s.name: s.copies for s in self.pattern.parts if s.name}
-        self.hues = {} if exact else spoken(terms.code)
+        self.hues = {} if exact else _hers_first(spoken(terms.code), self.pattern.text.text)
         self.phrases = Phrases(terms, copies, self._legend(), self.hues)
         self.own = {n for n in self.pattern.own if n in self.pattern.stitches}
         self.begins = self._begins()
@@ -122,10 +134,20 @@ class Writer:
         seams: list[str] = []
         parts = []
         for k, (section, part, written) in enumerate(self.sections):
+            if section.twin and not self.exact:
+                continue  # the rounds of another colour are the same
             while k == len(self.sections) - 1 and written and _sews(written[-1]):
                 seams[:0] = [row.words for row in self._alone(written.pop(), True)]
             index = self.built.parts[part].section
-            parts.append(self._section(section, part, index, written, self.begins[index]))
+            split = None if self.exact else legs(self.pattern, section, written)
+            if split is None:
+                parts.append(self._section(section, part, index, written, self.begins[index]))
+                continue
+            head, body, at = split
+            for (name, copies), lines, span in ((head[:2], head[2], (0, at)), (body[:2], body[2], (at, 1 << 60))):
+                made = self._section(section, part, index, lines, self.begins[index] if copies > 1 else None)
+                many = self.phrases.say("copies", count=copies) if copies > 1 else ""
+                parts.append(replace(made, name=name, copies=many, span=span, part=part if copies == 1 else -1))
         if not self.exact:
             from tambour.crochet.page.placed import Spoken
 
@@ -248,7 +270,10 @@ class Writer:
             join = self.terms.page["hung on"].format(n=f"{hung.spot.round:g}", part=onto)
             lines, written = [*lines, Row("", self._sentence(join))], written[at + 1 :]
         for k, line in enumerate(written):
-            said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
+            if not self.exact and self._closes(line):
+                said = [Row("", self._sentence(self._items(line, closing)))]
+            else:
+                said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
                 lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
             if stuffing and k == reached:
@@ -257,7 +282,20 @@ class Writer:
             lines += [*said, *(Row("", f"*{' '.join(note.split()).strip('*')}*") for note in line.notes)]
         name = self._heading(section.name, section.span) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
+        if section.heading and not self.exact:
+            name, copies = self._heading(section.heading, section.span), self._hued(index)
+            lines = lines[1:]  # every copy begins with its own colour
         return PartText(name, copies, (*lines, *(Row("", words) for words in stuffing)), tuple(settings), part, index)
+
+    def _hued(self, index: int) -> str:
+        """How many copies of a part are made in which colours."""
+        parts = self.pattern.parts
+        end = next((k for k in range(index + 1, len(parts)) if not parts[k].twin), len(parts))
+        listed, total = [], sum(p.copies for p in parts[index:end])
+        for p in parts[index:end]:
+            hue = next(i.numbers for i in p.lines[0].items if isinstance(i, Action))
+            listed.append(f"{p.copies} {self.phrases.shade(hue)}")
+        return self.phrases.say("copies", count=total).replace(")", f": {', '.join(listed)})")
 
     def _heading(self, name: str, span: Span) -> str:
         """A part's name, as she heads it; with the word for a part before it, where it could be taken for another heading."""
@@ -304,6 +342,12 @@ class Writer:
         return Row(head, words, count, last, _hues(_all(line)))
 
     def _items(self, line: Written, closing: bool) -> str:
+        if not self.exact and (hers := self._joining(line)):
+            return hers
+        first = line.pieces[0][0][0] if line.pieces else None
+        if not self.exact and len(line.pieces) > 1 and first is not None and first.what == "fold" and not first.labels:
+            rest = replace(line, pieces=line.pieces[1:] if len(line.pieces[0][0]) == 1 else line.pieces)
+            return f"{self._items(rest, closing)} {self.phrases.say('fold')}"  # as people say it
         said = []
         for unit, times in line.pieces:
             words = ", ".join(self._done(d, closing) for d in unit)
@@ -359,6 +403,23 @@ class Writer:
                 return say("fold to", label=done.labels[0]) if done.labels else say("fold")
         assert done.what not in RULES, done.what
         return self._stitch(done)
+
+    def _closes(self, line: Written) -> bool:
+        """Whether a line closes an end, and is no round in her words."""
+        fold = next((d.span for d in _all(line) if d.what == "fold" and d.span is not None), None)
+        if fold is None or not self.pattern.terms:
+            return False
+        text = self.pattern.text.text
+        return _NUMBERED.search(text[text.rfind("\n", 0, fold.start) + 1 : fold.start]) is None
+
+    def _joining(self, line: Written) -> str:
+        """Her own words of a round that joins two pieces, which markers tell badly; "" where it is none, or in another language."""
+        done = next((d for unit, _ in line.pieces for d in unit if d.what == "attach" and d.span is not None), None)
+        if done is None or done.span is None or self.terms.code != self.pattern.terms:
+            return ""
+        words = " ".join(self.pattern.text.text[done.span.start : done.span.end].split())
+        found = _HEADED.match(words)
+        return _COUNTED.sub("", words[found.end() :] if found else words).strip()
 
     def _stitch(self, done: Done) -> str:
         if done.labels:  # the part that it goes through as well

@@ -17,7 +17,7 @@ from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
 from tambour.crochet.places.hosts import LIMBS, Hosts
 from tambour.crochet.places.layers import layers
 from tambour.crochet.places.likely import NAMELESS
-from tambour.crochet.places.names import Made
+from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.onward import onward
 from tambour.crochet.places.said import Where
 from tambour.crochet.places.toy import Assembled, versions
@@ -34,6 +34,8 @@ _SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branc
 """Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
 _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
+_LAYERS: Final = frozenset(("ear", "wing", "fin", "leaf", "foot", "tail"))
+"""Kinds of things that are made of two layers, one in another colour."""
 DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
@@ -52,14 +54,25 @@ class Assembly(Hosts):
         later = versions(self.parts)
         now = [p for p in self.parts if p not in later]
         behind, self.layered = layers(now, {p: self.size(p) for p in now}, self.text)
+        around = {
+            r.part.rpartition(".")[0] or r.part for r in built.pattern.finish if isinstance(r, Placed) and r.around
+        }
+        under = {p.heading: p for p in built.pattern.parts if p.heading and not p.twin}
+        twins = [
+            p for p in built.pattern.parts if p.twin and p.name not in around and p.copies == under[p.heading].copies
+        ]
+        second = {p.name for p in twins if kind_of(one(p.heading.lower().split()[-1])) in _LAYERS}
+        behind = [*behind, *(p for p in now if p.name in second)]  # of tubes that lie on each other one is seen
         self.parts = [p for p in self.parts if p not in later and p not in behind]
         self.made.apart += [p.name for p in later]
         self.made.behind += [p.name for p in (*behind, *self.layered)]
         self._undressed()
         # What hangs from loops all round has its place.
         inside = [r for r in self.built.pattern.finish if isinstance(r, Placed)]
-        self.around = [r for r in inside if r.around and any(r.part == p.name for p in self.parts)]
-        self.parts = [p for p in self.parts if not any(r.part == p.name for r in self.around)]
+        own = {p.name for p in self.parts}
+        self.around = [r for r in inside if r.around and own & {r.part, r.part.rpartition(".")[0]}]
+        gone = {name for r in self.around for name in (r.part, r.part.rpartition(".")[0])}
+        self.parts = [p for p in self.parts if p.name not in gone]
         half = {k for pair in halves(built) for k in pair}
         both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
         one = any(p.kind == "body" and (p.single or p.name in both) for p in self.parts)
@@ -80,7 +93,7 @@ class Assembly(Hosts):
             self._shaped()
         self.heard = Heard(self.parts, sentences, self.text)
         self.heard.puts[:0] = self._worked_in()
-        self.made.unstuffed += [r.part for r in self.around]
+        self.made.unstuffed += sorted(gone & own)
         self.made.lost = self.heard.lost
         self.dog = re.search(r"\b(?:dog|puppy|pup|hound|dachshund|spaniel|poodle)\b", self.text[:200]) is not None
         if self.parts:

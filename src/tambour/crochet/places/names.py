@@ -35,7 +35,7 @@ _KINDS: Final[dict[str, str]] = {
     "leaf": "leaf petal sepal blatt hoja feuille blad calyx frond",
     "bow": "bow flower rose heart star button ribbon schleife blume lazo flor",
     "spike": "spike spine scale plate dorsal",
-    "belly": "belly stomach tummy chest bauch barriga ventre buik",
+    "belly": "belly stomach tummy chest bib bauch barriga ventre buik",
     "spot": "spot dot patch stripe",
     "collar": "collar ruff bowtie",
     "shell": "shell backpack carapace hump",
@@ -49,7 +49,7 @@ _KINDS: Final[dict[str, str]] = {
     "inner": "inner",
     "tooth": "tooth fang tongue",
     "handle": "handle spout",
-    "worn": "dress bib necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
+    "worn": "dress necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
     "trouser short legging jean knicker diaper tutu swimsuit romper pajama bandana necklace headband tiara bag purse basket blanket "
     "strap lace tie gusset scarf belt sleeve emblem bracelet armband band glasses edging trim ruffle garland wreath clothe saddle bridle",
 }

@@ -104,7 +104,9 @@ def decided(
         at = next(t for t in tokens if t.word == "unworked")
         source.doubt("no stitches are left to be unworked here", "say how many are worked", at.span)
     if (edge or 0) > 1:
-        body.items = _bare(body.items, source.stitches)
+        dyes = [i for i in body.items if isinstance(i, Action) and i.name == "color"] if body.both else []
+        # "sc through both layers around, with grey"
+        body.items = [*dyes, *_bare([i for i in body.items if i not in dyes], source.stitches)]
     first = body
     known = edge is not None or _base(body, chain) is not None
     if body.refers is None and (body.stated is not None or known):

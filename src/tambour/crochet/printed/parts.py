@@ -66,6 +66,7 @@ class Draft:
     others : "11th and alt rows": that row, and its number
     spread : where lines begin that fit the round below them only;
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
+    also : the headings of pieces that were taken into it
     merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
     plan : the stripes that its next rounds are worked in, and where they are said; over : what stands over its heading and others
     loose : its last line, where a sentence worked part of a round only, the stitches below it, and the round before
@@ -103,6 +104,7 @@ class Draft:
     merged: bool = False
     bordered: bool = False
     plan: tuple[Plan, Span] | None = None
+    also: tuple[Span, ...] = ()
     over: str = ""
     loose: tuple[Line, int | None, int] | None = None
 
@@ -361,7 +363,16 @@ class Draft:
             else:
                 lines.append(Line((Action("fo", end),), end, False))
         return Section(
-            self.name, self.span, tuple(lines), self.copies, self.copies_span, None, self.stuffing, None, self.up
+            self.name,
+            self.span,
+            tuple(lines),
+            self.copies,
+            self.copies_span,
+            None,
+            self.stuffing,
+            None,
+            self.up,
+            also=self.also,
         )
 
     def _sorted(self) -> list[Line]:

@@ -21,6 +21,7 @@ from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
+from tambour.crochet.printed.hued import by_hue, layered
 from tambour.crochet.printed.hung import hang_on
 from tambour.crochet.printed.items import dyes
 from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
@@ -87,7 +88,11 @@ class Printed(Headed):
             nameless.copies = max(nameless.copies, copies)
         for draft in self.parts:
             draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text)
-        sections = tuple(draft.section(source) for draft in self.parts)
+        sections = tuple(
+            one
+            for draft in self.parts
+            for one in by_hue(draft.section(source), self.hued.get(draft.span.start, ()) if draft.copies > 1 else ())
+        )
         self._colors_told()
         pattern = Pattern(
             source.text,
@@ -141,7 +146,12 @@ class Printed(Headed):
         given = {k.upper(): rgb for k, rgb in self.palette.given.items()}
         phrases = Phrases(self.phrases.terms, copies, given, self.phrases.hues)
         found = assembled(
-            built, self.sentences, phrases, self.palette, usual, [*hang(built, self.held), *hang_on(built, self.hung)]
+            built,
+            self.sentences,
+            phrases,
+            self.palette,
+            usual,
+            [*hang(built, self.held), *hang_on(built, self.hung), *layered(built)],
         )
         if found is None:
             return pattern

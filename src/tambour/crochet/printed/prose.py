@@ -15,6 +15,7 @@ from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.formed import forms
 from tambour.crochet.printed.headlines import bare, below, copied, dyed_only, headed, named_color, small, trailing
+from tambour.crochet.printed.hued import hued
 from tambour.crochet.printed.naming import over
 from tambour.crochet.printed.notes import (
     BELOW,
@@ -56,6 +57,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
         return
     text = p.source.text.text
+    tokens, hues = hued(p, tokens)
+    if hues:
+        p.hued[row.tokens[0].start] = hues
     if _said(p, Span(row.tokens[0].start, row.tokens[-1].end)):
         return
     line = text[row.tokens[0].start : row.tokens[-1].end]

@@ -32,6 +32,7 @@ from tambour.crochet.words.table import TERMS
 
 if TYPE_CHECKING:
     from tambour.crochet.printed.crocheted import Held
+    from tambour.crochet.printed.hued import Hue
     from tambour.crochet.printed.hung import Hung
     from tambour.crochet.printed.stripes import Plan
 
@@ -136,6 +137,7 @@ class State:
         self.hanging: tuple[int, Span] | None = (
             None  # the round in whose loops the yarn was joined of the part that comes next
         )
+        self.hued: dict[int, tuple[Hue, ...]] = {}  # where a heading begins → the colours of its copies
         self.hung: list[Hung] = []  # parts that hang from such loops
 
     def _begins_round(self, tokens: list[Token], alone: bool) -> bool:

@@ -321,6 +321,7 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
     draft.marks = []
     if other is not here:
         other.merged = True
+    draft.also = tuple(sorted({*draft.also, *(d.span for d in (here, other) if d is not draft)}, key=lambda s: s.start))
     draft.copies, draft.off, draft.chain, draft.ends = 1, None, None, ""
     draft.copies_span = None
     draft.name = (

@@ -1,0 +1,126 @@
+"""Printed patterns, hued: copies of several colours ("make 3: 2 fuchsia, 1 yellow"), and those that are two layers of one thing."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.core.rgb import RGB
+from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.language.tree import Action, Line, Pattern, Section
+from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.notes import plain_name
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+_BETWEEN: Final = frozenset((",", "and", "&", "+", ";", "/"))
+_LED: Final = frozenset(("in", "of", "with", "using"))
+_MANY: Final = 60
+_FLAT: Final = 4
+"""A circle has so many stitches for every round, or more."""
+_LAYERED: Final = frozenset(("ear", "wing", "leaf", "fin", "foot", "tail", "bow"))
+"""Kinds of things that are sewn together of two layers."""
+_TOGETHER: Final = re.compile(
+    r"\b(?:through|thru) both\b|\bboth (?:layers|pieces|circles)\b|\b(?:a|one|each) \w+(?: \w+)? (?:and|on|onto|to|with|on top of) (?:a|one)\b[^.]{0,40}\b"
+    r"(?:together|circle|piece|ear|wing|one)\b|\binner\b[^.]{0,60}\bouter\b|\bouter\b[^.]{0,60}\binner\b|\bin pairs\b",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True)
+class Hue:
+    """So many copies in one colour, as it is called."""
+
+    count: int
+    words: str
+    shade: RGB
+
+
+def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
+    """The words of a heading with its copies as one number, and their colours; the words as they are where it says none.
+
+    "Flower (make 3: 2 fuchsia, 1 yellow)", "EARS (make 2 in grey and 2 in pink)".
+    """
+    make = next((k for k, t in enumerate(tokens) if t.value == "make"), None)
+    if make is None or not make or any(t.kind == "stitch" for t in tokens):
+        return tokens, ()
+    c, at, found, plain = Cursor(tokens), make + 1, list[Hue](), False
+    total = tokens[at] if at < len(tokens) and tokens[at].kind == "number" else None
+    if total is not None and at + 1 < len(tokens) and tokens[at + 1].word in (":", "-", ",", "("):
+        at += 2
+    else:
+        total = None
+    while at < len(tokens) and tokens[at].kind == "number" and isinstance(tokens[at].value, int):
+        count, at = tokens[at].value, at + 1
+        at += at < len(tokens) and tokens[at].word in _LED
+        shade = p.palette.color(c, at)
+        if shade is None and total is not None:  # "make 5: 3 large, 2 small"
+            end = next((k for k in range(at, len(tokens)) if tokens[k].word in _BETWEEN or tokens[k].word in ")]"), at)
+            shade, plain = ((0, 0, 0), end - at), True
+        if shade is None or not shade[1]:
+            return tokens, ()
+        words = " ".join(t.word for t in tokens[at : at + shade[1]])
+        found.append(Hue(count, words, shade[0]))
+        at += shade[1]
+        while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value in ("yarn", "and")):
+            at += 1
+    many = sum(hue.count for hue in found)
+    if len(found) < 2 or not 2 <= many <= _MANY or (total is not None and total.value != many):
+        return tokens, ()
+    number = replace(tokens[make + 1], word=str(many), value=many)
+    return [*tokens[: make + 1], number, *tokens[at:]], () if plain else tuple(found)
+
+
+def by_hue(section: Section, hues: tuple[Hue, ...]) -> list[Section]:
+    """A part of the text as one part for each of its colours."""
+    if not hues:
+        return [section]
+    first = next((k for k, line in enumerate(section.lines) if line.in_round), len(section.lines))
+    lead = [line for line in section.lines[:first] if not _dyes(line)]
+    made = []
+    for k, hue in enumerate(hues):
+        name = plain_name(f"{hue.words} {section.name}")
+        color = Line((Action("color", section.span, 1, None, hue.shade),), section.span, False)
+        lines = (color, *lead, *section.lines[first:])
+        named = name.upper() if section.name.isupper() else name
+        made.append(replace(section, name=named, copies=hue.count, lines=lines, heading=section.name, twin=k > 0))
+    return made
+
+
+def _dyes(line: Line) -> bool:
+    return all(isinstance(i, Action) and i.name == "color" for i in line.items) and bool(line.items)
+
+
+def layered(built: Built) -> list[Placed]:
+    """Records of copies that lie on those of another colour, the second on the first, where the text works or sews both together."""
+    pattern: Pattern = built.pattern
+    text, spots, made = pattern.text.text, Spots(built), list[Placed]()
+    starts = sorted({p.span.start for p in pattern.parts})
+    for under, over in zip(pattern.parts, pattern.parts[1:]):
+        kind = next((kind_of(one(w)) for w in reversed(re.findall(r"[^\W\d_]+", under.heading.lower()))), "")
+        if not over.twin or under.twin or kind not in _LAYERED or under.copies != over.copies:
+            continue
+        end = next((k for k in starts if k > under.span.start), len(text))
+        if not _TOGETHER.search(text[under.span.start : end]):
+            continue
+        for k in range(1, under.copies + 1):
+            names = [p.name if p.copies == 1 else f"{p.name}.{k}" for p in (over, under)]
+            last = max(spots.rounds_of(spots.parts[names[1]]), default=0)
+            at = spots.round_at(spots.parts[names[1]], last)
+            counts = [
+                len(spots.stitches(r))
+                for n in spots.rounds_of(spots.parts[names[1]])
+                if (r := spots.round_at(spots.parts[names[1]], n)) is not None
+            ]
+            flat = (
+                bool(counts) and counts[-1] == max(counts) and counts[-1] >= _FLAT * len(counts)
+            )  # of tubes nothing is seen but one
+            if last and at is not None and flat:
+                spot = Spot(names[1], float(last), None, Span(under.span.start, under.span.end))
+                made.append(Placed(names[0], spot, by=float(last), through=len(spots.stitches(at)), span=spot.span))
+    return made

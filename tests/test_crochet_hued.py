@@ -1,0 +1,97 @@
+"""Copies of several colours: each in its own, printed once, found by its colour; two layers of one thing lie on each other."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed
+from tambour.crochet.page.instructions import instructions
+from tambour.crochet.page.own import pattern as written_back
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.printed.choose import read
+
+HEAD = """Toy
+
+Yarn: DK in grey, pink, yellow
+
+Head
+In grey.
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5-10: 24 sc (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+Stuff.
+Rnd 12: (sc, dec) x 6 (12)
+Rnd 13: dec x 6 (6)
+Fasten off.
+
+{}
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+{}
+"""
+
+
+@pytest.mark.parametrize(
+    "heading",
+    [
+        "Flowers (make 3: 2 pink, 1 yellow)",
+        "Flowers (make 2 in pink and 1 in yellow)",
+        "FLOWERS - make 3: 2 pink and 1 yellow",
+        "Flowers (make 3 - 2 in pink, 1 in yellow)",
+    ],
+)
+def test_each_copy_has_its_colour_and_the_text_is_printed_once(heading: str) -> None:
+    pattern = read(Text(HEAD.format(heading, "Sew the yellow flower to the head at Rnd 5."), "toy.txt"))
+    assert not pattern.unread, pattern.unread
+    made = {p.name.lower(): p.copies for p in pattern.parts[1:]}
+    assert made == {"pink flowers": 2, "yellow flowers": 1}
+    graph = build(pattern).graph
+    hues = [tuple(graph.color[p.start]) for p in graph.parts[1:]]
+    assert hues[0] == hues[1] != hues[2]
+    (yellow,) = [r for r in pattern.finish if isinstance(r, Placed) and r.part.lower() == "yellow flowers"]
+    assert yellow.spot.round == 5.0
+    said = instructions(pattern, exact=False).text
+    assert said.lower().count("## flowers (make 3: 2 pink, 1 yellow)") == 1 and said.count("Rnd 2: 6 inc (12)") == 2
+    for back in (read(written_back(pattern)), read(instructions(pattern))):
+        again = build(back).graph
+        assert np.array_equal(again.color, graph.color) and len(again.parts) == len(graph.parts)
+
+
+def test_copies_of_several_sizes_are_so_many() -> None:
+    pattern = read(Text(HEAD.format("Dots (make 5: 3 large, 2 small)", "Sew the dots to the head."), "toy.txt"))
+    assert [(p.name, p.copies) for p in pattern.parts] == [("Head", 1), ("Dots", 5)] and not pattern.unread
+
+
+EARS = HEAD.format(
+    "Ears (make 2 in grey and 2 in pink)",
+    "Put a grey and a pink circle together, pink facing you.\nRnd 3: sc through both layers around, with grey (12)\n"
+    "Fasten off.\n\nAssembly\nSew the ears to the sides of the head between Rnds 4 and 6.",
+)
+
+
+def test_layers_are_pairs_and_nothing_is_left_over() -> None:
+    pattern = read(Text(EARS, "toy.txt"))
+    over = [r for r in pattern.finish if isinstance(r, Placed) and r.around]
+    assert [(r.part, r.spot.part, r.through) for r in over] == [
+        ("pink Ears.1", "grey Ears.1", 12),
+        ("pink Ears.2", "grey Ears.2", 12),
+    ]
+    sewn = [(r.part, r.spot.part) for r in pattern.finish if isinstance(r, Placed) and not r.around]
+    assert sewn == [("grey Ears.1", "Head"), ("grey Ears.2", "Head")]
+    assert {p.name: p.stuffing for p in pattern.parts}["pink Ears"] == 0.0
+
+
+@pytest.mark.slow
+def test_a_layer_lies_on_the_other_stitch_on_stitch() -> None:
+    piece = make(Text(EARS, "toy.txt"), CrochetParams(), Progress())
+    spots, x, graph = Spots(piece.built), piece.positions, piece.built.graph
+    pink, grey = (graph.parts[spots.parts[name]] for name in ("pink Ears.1", "grey Ears.1"))
+    apart = np.linalg.norm(x[pink.start : pink.end] - x[grey.start : grey.end], axis=1)
+    assert apart.max() < 2.5 * piece.stitch[0], "no stitch of the one is far from its like"
