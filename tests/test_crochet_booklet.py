@@ -330,3 +330,13 @@ ASSEMBLY
         "a sentence is never cut at a line"
     )
     assert made.size == 'about 12 cm (4.7") tall'
+
+
+def test_a_sentence_of_hers_that_tells_the_size_too_is_kept() -> None:
+    from tambour.crochet.page.hers import hers
+    from tambour.crochet.printed.choose import read
+
+    rounds = "Yarn: DK, brown\n\nBody\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: dec x 6 (6)\n"
+    line = "Barnaby is a long-eared bunny, about 31 cm tall with his ears. His dungarees are worked as part of him, so they never get lost."
+    made = hers(read(Text(f"Bunny\n\n{line}\n{rounds}", "bunny.txt")), "us")
+    assert made is not None and made.intro == [line]

@@ -30,7 +30,7 @@ _CLOSED = re.compile(
 """How she says that an end is closed."""
 _CARE = 44.0
 """Room that the words of care take below them, mm."""
-_LOWEST = 0.8
+_LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
 _GAP = 4.0
 """Between pictures, mm."""

@@ -89,6 +89,8 @@ _MORE_OF: Final = re.compile(
 _NOTES: Final = ("notes", "note", "pattern notes", "tips")
 _MOSTLY: Final = 0.8
 """A sentence of which a step says this share is not said twice."""
+_MOST_OF: Final = 0.6
+"""A line of which a statement is this share says nothing else."""
 _WORDS: Final = 5
 """A line of so many words that ends as a sentence does is one, also below a list."""
 
@@ -293,8 +295,9 @@ def _round(pattern: Pattern, part: int, at: int) -> int:
 
 
 def _stated(pattern: Pattern, a: int, b: int) -> bool:
-    """Whether a line says something that is told elsewhere: its gauge, its size."""
-    return any(a <= span.start < b for key, (_, span) in pattern.stated.items() if key != "title")
+    """Whether a line says what is told elsewhere, its gauge, its size, and little else: a sentence that tells more stays."""
+    said = [span for key, (_, span) in pattern.stated.items() if key != "title" and a <= span.start < b]
+    return any(min(span.end, b) - span.start >= _MOST_OF * (b - a) for span in said)
 
 
 def _span(record: object) -> tuple[int, int]:
