@@ -88,6 +88,12 @@ def test_layers_are_pairs_and_nothing_is_left_over() -> None:
     assert {p.name: p.stuffing for p in pattern.parts}["pink Ears"] == 0.0
 
 
+def test_pairs_of_two_colours_that_nobody_lays_on_each_other_are_put_together_all_the_same() -> None:
+    text = HEAD.format("Ears (make 2 in grey and 2 in pink)", "Fasten off.\n\nAssembly\nSew the ears to the head.")
+    pattern = read(Text(text, "toy.txt"))
+    assert {r.part.partition(".")[0] for r in pattern.finish if isinstance(r, Placed)} == {"grey Ears"}
+
+
 @pytest.mark.slow
 def test_a_layer_lies_on_the_other_stitch_on_stitch() -> None:
     piece = make(Text(EARS, "toy.txt"), CrochetParams(), Progress())

@@ -75,9 +75,9 @@ class Assembly(Hosts):
         self.parts = [p for p in self.parts if p.name not in gone]
         half = {k for pair in halves(built) for k in pair}
         both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
-        one = any(p.kind == "body" and (p.single or p.name in both) for p in self.parts)
+        bodied = any(p.kind == "body" and (p.single or p.name in both) for p in self.parts)
         # A toy of one body has one head: its two pieces are halves of it, joined by a gusset.
-        both |= {p.name for p in self.parts if one and p.kind == "head" and p.copies == 2}
+        both |= {p.name for p in self.parts if bodied and p.kind == "head" and p.copies == 2}
         self.parts = [replace(p, halved=p.name in both) for p in self.parts]
         for k, before in onward(
             built
