@@ -101,3 +101,12 @@ def test_a_layer_lies_on_the_other_stitch_on_stitch() -> None:
     pink, grey = (graph.parts[spots.parts[name]] for name in ("pink Ears.1", "grey Ears.1"))
     apart = np.linalg.norm(x[pink.start : pink.end] - x[grey.start : grey.end], axis=1)
     assert apart.max() < 2.5 * piece.stitch[0], "no stitch of the one is far from its like"
+
+
+@pytest.mark.parametrize(
+    "heading", ["Ears (make 4: 2 grey, 2 pink)", "WINGS - make 2 pink and 2 grey", "Leaf (make 2: 1 grey, 1 yellow)"]
+)
+def test_layers_that_nothing_sews_together_are_no_traceback(heading: str) -> None:
+    pattern = read(Text(HEAD.format(heading, "Fasten off."), "toy.txt"))
+    assert not pattern.unread, pattern.unread
+    assert pattern.built is not None
