@@ -29,7 +29,7 @@ def set_down(x: Array, most: float) -> Array:
         return still
     way = down
     for _ in range(STEPS):
-        facet = _below(off, way)
+        facet = facet_below(off, way)
         if facet is None or float(facet @ down) < math.cos(math.radians(most)):
             return still
         if float(length(facet - way)) < NEAR:
@@ -38,7 +38,7 @@ def set_down(x: Array, most: float) -> Array:
     return still
 
 
-def _below(x: Array, way: Array) -> Array | None:
+def facet_below(x: Array, way: Array) -> Array | None:
     """The outward normal of the hull's facet that a ray from the origin along ``way`` meets; None where there is none.
 
     The simplex method on the plane that holds all points x (K, 3) on one side and is nearest along the ray: three corners
