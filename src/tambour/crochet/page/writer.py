@@ -15,10 +15,11 @@ from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair, Placed
-from tambour.crochet.language.stitches import EDGES, RULES, STITCHES, STUFFING, Stitch
+from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Action, Section
 from tambour.crochet.page.legs import legs
 from tambour.crochet.page.plain import fills, reach
+from tambour.crochet.page.rounds import Rounds, all_of, hues_of, sentence
 from tambour.crochet.page.wording import PartText, Row, Words
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.printed.colors import yarns_named
@@ -28,27 +29,14 @@ from tambour.crochet.words.special import told
 from tambour.crochet.words.table import Terms
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-_PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
 _TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
 _CLOSED: Final = 8
 """A part whose last rounds have so few stitches is closed by them."""
-_HEADED: Final = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)?\.?\s*\d+\W*\s", re.IGNORECASE)
-_NUMBERED: Final = re.compile(r"\b(?:rounds?|rnds?|rows?|rd|r)\.?\s*\d+[^.]*$|^\s*\d+\s*[.:)][^.]*$", re.IGNORECASE)
-_COUNTED: Final = re.compile(r"\s*[-–=]*\s*[(\[{]\d+(?:\s*\w+)?[)\]}]\W*$")
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
 def _sews(line: Written) -> bool:
     return not line.makes and all(d.what == "sew" for unit, _ in line.pieces for d in unit)
-
-
-def _all(line: Written) -> list[Done]:
-    return [done for unit, _ in line.pieces for done in unit]
-
-
-def _hues(done: list[Done]) -> tuple[RGB, ...]:
-    """The colours that things done change to."""
-    return tuple(dict.fromkeys((d.numbers[0], d.numbers[1], d.numbers[2]) for d in done if d.what == "color"))
 
 
 def _takes_color(written: list[Written]) -> bool:
@@ -85,9 +73,8 @@ class Writer:
         self.hues = {} if exact else _hers_first(spoken(terms.code), self.pattern.text.text)
         self.phrases = Phrases(terms, copies, self._legend(), self.hues)
         self.own = {n for n in self.pattern.own if n in self.pattern.stitches}
+        self.rounds = Rounds(self.pattern, self.phrases, terms, self.own, exact)
         self.begins = self._begins()
-        self.begun = False  # the part under way has its first stitches
-        self.used: dict[str, None] = {}  # what the list of abbreviations explains
 
     def _begins(self) -> list[tuple[int, ...] | None]:
         """The colour that every copy of a part begins with, for each part of the text; None where it is not one, or undyed."""
@@ -137,7 +124,7 @@ class Writer:
             if section.twin and not self.exact:
                 continue  # the rounds of another colour are the same
             while k == len(self.sections) - 1 and written and _sews(written[-1]):
-                seams[:0] = [row.words for row in self._alone(written.pop(), True)]
+                seams[:0] = [row.words for row in self.rounds.alone(written.pop(), True)]
             index = self.built.parts[part].section
             split = None if self.exact else legs(self.pattern, section, written)
             if split is None:
@@ -154,7 +141,7 @@ class Writer:
             after = [r for r in self.pattern.finish if not (isinstance(r, Placed) and r.through)]
             finish = Spoken(self.built, self.terms)(after)
         else:
-            finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
+            finish = [sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
         hues = list(self.phrases.legend.values())
@@ -191,13 +178,13 @@ class Writer:
 
     def _legend_line(self, letter: str, name: str, hue: RGB) -> str:
         said = self.phrases.say("legend", letter=letter, name=self.terms.colors[name][0], hex=hexed(hue))
-        return self._sentence(said, "")
+        return sentence(said, "")
 
     def _abbreviations(self) -> tuple[tuple[str, str], ...]:
         meaning, word = self.terms.meaning, self.terms.word
         listed = []
         order = ("round", "row", "front loops", "back loops", *STITCHES)
-        for key in sorted(self.used, key=order.index):
+        for key in sorted(self.rounds.used, key=order.index):
             said = word(key)
             if key in meaning and said.lower() != meaning[key].lower():
                 listed.append((said, meaning[key]))
@@ -225,12 +212,14 @@ class Writer:
             if name in needed and name not in said:
                 hint = "name it with moves and stitches only"
                 raise TambourError(f'the stitch "{name}" cannot be explained', hint=hint, where="{--terms}")
-            if name in needed and any(self.terms.word(key).lower() == name for key in self.used if key in STITCHES):
+            if name in needed and any(
+                self.terms.word(key).lower() == name for key in self.rounds.used if key in STITCHES
+            ):
                 hint = f"give it another name; {self.terms.name} use this one"
                 raise TambourError(f'the stitch "{name}" means two things', hint=hint, where="{--terms}")
             if name in needed:
                 lines.append(said[name][0])
-                self.used.update(dict.fromkeys(n for n in said[name][1] if n not in self.own))
+                self.rounds.used.update(dict.fromkeys(n for n in said[name][1] if n not in self.own))
         return tuple(lines)
 
     # -- parts ------------------------------------------------------------------------------------------------------
@@ -240,7 +229,7 @@ class Writer:
     ) -> PartText:
         lines: list[Row] = []
         if section.up is not None:
-            lines.append(Row("", self._sentence(self.phrases.say(f"up {section.up}"))))
+            lines.append(Row("", sentence(self.phrases.say(f"up {section.up}"))))
         settings = [
             f"@{key} = {value}"
             for key, value in (
@@ -256,24 +245,26 @@ class Writer:
         stuffing = self._stuffing(section, part)
         worked = {d.what for line in written for unit, _ in line.pieces for d in unit}
         kind = "row" if "turn" in worked and not worked & {"mr", "join", "oval"} else "round"
-        self.begun = False
+        self.rounds.begun = False
         if color is not None and not _takes_color(written):
             done = Done("color", 1, color)
-            lines.append(Row("", self._sentence(self._done(done, closing)), colors=_hues([done])))
+            lines.append(Row("", sentence(self.rounds.done(done, closing)), colors=hues_of([done])))
         closes = closing or (bool(written) and 0 < min(line.count or 99 for line in written[-2:]) <= _CLOSED)
         reached = reach([(line.count, line.makes) for line in written]) if closes and not self.exact else -1
         hung = next((r for r in self._hung if r.part == section.name), None)
         if hung is not None:  # the chain that it stands on is that round's loops
-            at = next(k for k, line in enumerate(written) if any(d.what == "ch" for d in _all(line)))
-            lines += [row for line in written[:at] for row in self._alone(line, closing)]
+            at = next(k for k, line in enumerate(written) if any(d.what == "ch" for d in all_of(line)))
+            lines += [row for line in written[:at] for row in self.rounds.alone(line, closing)]
             onto = hung.spot.part.replace(".", " ")
             join = self.terms.page["hung on"].format(n=f"{hung.spot.round:g}", part=onto)
-            lines, written = [*lines, Row("", self._sentence(join))], written[at + 1 :]
+            lines, written = [*lines, Row("", sentence(join))], written[at + 1 :]
         for k, line in enumerate(written):
-            if not self.exact and self._closes(line):
-                said = [Row("", self._sentence(self._items(line, closing)))]
+            if not self.exact and self.rounds.closes(line):
+                said = [Row("", sentence(self.rounds.items(line, closing)))]
             else:
-                said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
+                said = (
+                    self.rounds.alone(line, closing) if not line.number else [self.rounds.numbered(line, kind, closing)]
+                )
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
                 lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
             if stuffing and k == reached:
@@ -313,130 +304,10 @@ class Writer:
 
     def _stuffing(self, section: Section, part: int) -> list[str]:
         if section.stuffing is None and not self.exact and fills(self.built, part):
-            return [self._sentence(self.phrases.say("stuff medium"))]
+            return [sentence(self.phrases.say("stuff medium"))]
         if section.stuffing is None or (section.guessed and not self.exact):
             return []
         amount = next((w for w, factor in STUFFING.items() if factor == section.stuffing), None)
         if amount is not None:
-            return [self._sentence(self.phrases.say(f"stuff {amount}"))]
-        return [self._sentence(self.phrases.say("stuff factor", factor=section.stuffing))]
-
-    def _alone(self, line: Written, closing: bool) -> list[Row]:
-        """Lines outside rounds: a sentence each, but stitches in a row stay together."""
-        if line.makes:
-            return [Row("", self._sentence(self._items(line, closing)), colors=_hues(_all(line)))]
-        alone = [d for unit, times in line.pieces for _ in range(times) for d in unit]
-        return [Row("", self._sentence(self._done(d, closing)), colors=_hues([d])) for d in alone]
-
-    def _round(self, line: Written, kind: str, closing: bool) -> Row:
-        self.used[kind] = None
-        word = self.terms.word(kind)
-        first, last = line.number, line.number + line.times - 1
-        number = f"{first}" if line.times == 1 else f"{first}-{last}"
-        head = word + number if len(word) == 1 else f"{word} {number}"
-        words, count = self._items(line, closing), line.count
-        if kind == "row" and not self.exact and line.pieces[-1][0][0].what == "again":
-            words = re.sub(rf"\b{re.escape(self.terms.word('round'))}\b", word, words)
-        if line.said and not self.exact:  # her count stays hers, with the doubt beside it
-            words, count = f"{words} [{self.terms.page['makes'].format(n=count)}]", line.said
-        return Row(head, words, count, last, _hues(_all(line)))
-
-    def _items(self, line: Written, closing: bool) -> str:
-        if not self.exact and (hers := self._joining(line)):
-            return hers
-        first = line.pieces[0][0][0] if line.pieces else None
-        if not self.exact and len(line.pieces) > 1 and first is not None and first.what == "fold" and not first.labels:
-            rest = replace(line, pieces=line.pieces[1:] if len(line.pieces[0][0]) == 1 else line.pieces)
-            return f"{self._items(rest, closing)} {self.phrases.say('fold')}"  # as people say it
-        said = []
-        for unit, times in line.pieces:
-            words = ", ".join(self._done(d, closing) for d in unit)
-            said.append(words if times == 1 else self.phrases.say("group", items=words, count=times))
-        return ", ".join(said)
-
-    def _done(self, done: Done, closing: bool) -> str:
-        say = self.phrases.say
-        self.begun = self.begun or done.what not in RULES or done.what in ("mr", "oval", "fsc")
-        match done.what:
-            case "mr":
-                self.used["sc"] = None
-                return say("ring", count=done.numbers[0])
-            case "color":
-                return say("color" if self.begun else "use color", color=done.numbers)
-            case "bl":
-                return say("both loops")
-            case "flo" | "blo":
-                key = "front loops" if done.what == "flo" else "back loops"
-                self.used[key] = None
-                return say(key)
-            case "mark" | "goto":
-                return say(done.what, label=done.labels[0])
-            case "attach":
-                size = done.numbers[0]
-                if size > 0:
-                    self.used["ch"] = None
-                    return say("attach chain", label=done.labels[0], count=size)
-                return say("attach merge" if size < 0 else "attach over", label=done.labels[0])
-            case "sew":
-                return say("sew", one=done.labels[0], other=done.labels[1])
-            case "fo":
-                return say("close" if closing else "fasten off")
-            case "turn" | "join":
-                return say(done.what)
-            case "gap":
-                return say("gap", count=done.numbers[0])
-            case "again":
-                first, last = done.numbers
-                return say("again", first=first, last=None if first == last else last, part=done.labels[0] or None)
-            case "oval":
-                self.used["ch"] = None
-                return say("oval", count=done.numbers[0], next=done.numbers[1])
-            case "tospace":
-                return say("to space half" if done.numbers[0] else "to space")
-            case "edge":
-                places, which = done.numbers
-                return say(f"edge {EDGES[which]}", count=places or None)
-            case "fsc":
-                self.used["sc"] = None
-                return say("foundation", count=done.numbers[0])
-            case "fold":
-                return say("fold to", label=done.labels[0]) if done.labels else say("fold")
-        assert done.what not in RULES, done.what
-        return self._stitch(done)
-
-    def _closes(self, line: Written) -> bool:
-        """Whether a line closes an end, and is no round in her words."""
-        fold = next((d.span for d in _all(line) if d.what == "fold" and d.span is not None), None)
-        if fold is None or not self.pattern.terms:
-            return False
-        text = self.pattern.text.text
-        return _NUMBERED.search(text[text.rfind("\n", 0, fold.start) + 1 : fold.start]) is None
-
-    def _joining(self, line: Written) -> str:
-        """Her own words of a round that joins two pieces, which markers tell badly; "" where it is none, or in another language."""
-        done = next((d for unit, _ in line.pieces for d in unit if d.what == "attach" and d.span is not None), None)
-        if done is None or done.span is None or self.terms.code != self.pattern.terms:
-            return ""
-        words = " ".join(self.pattern.text.text[done.span.start : done.span.end].split())
-        found = _HEADED.match(words)
-        return _COUNTED.sub("", words[found.end() :] if found else words).strip()
-
-    def _stitch(self, done: Done) -> str:
-        if done.labels:  # the part that it goes through as well
-            items = self._stitch(replace(done, labels=()))
-            return self.terms.page["worked in"].format(items=items, part=done.labels[0])
-        stitch = self.pattern.stitches[done.what]
-        if stitch.inner:
-            inner = ", ".join(self._stitch(Done(name, times)) for name, times in stitch.inner)
-            said = self.phrases.say(f"one {_PLACES[stitch.where]}", items=inner)
-            return said if done.times == 1 else self.phrases.say("group", items=said, count=done.times)
-        if done.what in self.own:
-            word = done.what
-        else:
-            self.used[done.what] = None
-            word = self.terms.word(done.what)
-        return word if done.times == 1 else self.phrases.say("several", count=done.times, item=word)
-
-    @staticmethod
-    def _sentence(said: str, end: str = ".") -> str:
-        return said[:1].upper() + said[1:] + end
+            return [sentence(self.phrases.say(f"stuff {amount}"))]
+        return [sentence(self.phrases.say("stuff factor", factor=section.stuffing))]

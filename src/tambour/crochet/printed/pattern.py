@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.graph.built import Built
-from tambour.crochet.language.finishes import ASIDE, GUESSED, MEANT, check_names
+from tambour.crochet.language.finishes import ASIDE, GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
@@ -18,12 +18,12 @@ from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_pla
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.crocheted import hang
 from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.dyed import colors_told, yarns_told
 from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.hued import by_hue, layered
 from tambour.crochet.printed.hung import hang_on
-from tambour.crochet.printed.items import dyes
 from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
 from tambour.crochet.printed.mend import Found, agreed, mended
 from tambour.crochet.printed.naming import nameless_is
@@ -93,7 +93,7 @@ class Printed(Headed):
             for draft in self.parts
             for one in by_hue(draft.section(source), self.hued.get(draft.span.start, ()) if draft.copies > 1 else ())
         )
-        self._colors_told()
+        colors_told(self)
         pattern = Pattern(
             source.text,
             sections,
@@ -115,7 +115,7 @@ class Printed(Headed):
             if built is not None:
                 built = worked_on(halved(closed(built)))
                 pattern = self._assemble(pattern, built, usual)
-                self._yarns_told(pattern)
+                yarns_told(self, pattern)
                 unseen_told(self, pattern, tuple(source.finish), self.lost)
         errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
@@ -179,32 +179,6 @@ class Printed(Headed):
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
             source.finish += [] if wrong else [record]
         return with_places(pattern, found)
-
-    def _yarns_told(self, pattern: Pattern) -> None:
-        """Yarns of the list that are meant by another name, and those that nothing is made with."""
-        for said, name in self.palette.meant.items():
-            self.source.doubt(f'{MEANT}: "{said}" is {name}', "call it the same in both", Span(0, 0))
-        lines = [
-            one
-            for part in pattern.parts
-            for line in part.lines
-            for one in (line, *(line.again.lines if line.again else ()))
-        ]
-        used = {hue for line in lines for hue in dyes(line.items)}
-        used |= {tuple(hue) for f in self.source.finish if (hue := getattr(f, "color", None)) is not None}
-        for hue, name, span in dict.fromkeys(self.palette.yarns.values()):
-            if hue not in used:
-                hint = "say which rounds are worked in it, or leave it out of the list"
-                self.source.doubt(f"nothing that was understood is made with the {name} of this list", hint, span)
-
-    def _colors_told(self) -> None:
-        if self.palette.told:
-            named = self.palette.named
-            letters = ", ".join(
-                dict.fromkeys(w.upper() + (f" ({named[w]})" if w in named else "") for w in self.palette.told)
-            )
-            hint = "say which colours they are: A = brown"
-            self.source.doubt(f"the yarns {letters} are given colours of our choice", hint, Span(0, 0))
 
     # -- lines ------------------------------------------------------------------------------------------------------
 
