@@ -23,6 +23,7 @@ from pathlib import Path
 import numpy as np
 from printed import patterns
 
+from tambour.core.check import Array
 from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.features import placed, spots
@@ -38,10 +39,9 @@ from tambour.crochet.plush import make
 from tambour.crochet.settle.arrange import clusters
 from tambour.files import write
 from tambour.geometry.closest import nearest, tree
-from tambour.geometry.stance import facet_below
 
-TIPS = 15.0
-"""What would turn by more degrees before it rests does not stand; a hand sets a soft toy straight by less."""
+TIPS = 0.15
+"""A toy does not stand whose middle is so much of its height beside what it stands on; a hand sets a soft one straight by less."""
 LIGHT = frozenset(
     ("ear", "horn", "hat", "tuft", "bow", "eye", "nose", "beak", "cheek", "antenna", "spike", "beard", "leaf")
 )
@@ -103,12 +103,10 @@ def _stance(piece: Plush, own: list[int], kinds: dict[int, Made]) -> list[str]:
     at, part = x[nodes], graph.part[nodes]
     high, floor = float(np.ptp(at[:, 1])), float(at[:, 1].min())
     wrong = []
-    down = np.array([0.0, -1.0, 0.0])
-    facet = facet_below(at - at.mean(0), down) if min(np.ptp(at, axis=0)) > 1e-6 and len(at) > 4 else down
-    tip = 180.0 if facet is None else math.degrees(math.acos(min(1.0, float(facet @ down))))
-    if tip > TIPS:
-        wrong.append(f"tips: by {tip:.0f} degrees")
-    low = at[:, 1] < floor + max(0.03 * high, 0.8 * graph.stitch_width)
+    low = at[:, 1] < floor + max(0.04 * high, 0.8 * graph.stitch_width)
+    beside = _beside(at[low][:, [0, 2]], at.mean(0)[[0, 2]]) / max(high, 1e-9)
+    if beside > TIPS:
+        wrong.append(f"tips: its middle is {100 * beside:.0f} % of its height beside its feet")
     bears = {kinds[int(k)].kind for k in np.unique(part[low])}
     firm = {kinds[k].kind for k in own} & {"body", "head", "leg", "foot", "base"}
     if bears and bears <= LIGHT and firm:
@@ -120,6 +118,13 @@ def _stance(piece: Plush, own: list[int], kinds: dict[int, Made]) -> list[str]:
         if gap < -0.02 * high:
             wrong.append("head: below the body")
     return wrong
+
+
+def _beside(feet: Array, middle: Array) -> float:
+    """How far a point lies beside the hull of points in the plane; 0 within it."""
+    turns = np.radians(np.arange(0.0, 360.0, 3.0))
+    ways = np.stack([np.cos(turns), np.sin(turns)], 1)
+    return max(0.0, float((ways @ middle - (feet @ ways.T).max(0)).max()))
 
 
 def _face(piece: Plush, own: list[int], kinds: dict[int, Made]) -> list[str]:

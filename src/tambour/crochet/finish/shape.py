@@ -304,6 +304,10 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         if task.joining is not None and task.joining.built.pattern.terms:
             x, c = _at_rest(task, x, c, joined, piece)
         joined = replace(joined, upright=_upright(graph, joined, x))
+        task, x, joined = _clad(task, x, joined, piece)
+        if len(task.graph.edges) > len(graph.edges):  # what is worn is no piece beside the toy
+            graph, piece = task.graph, clusters(task.graph)
+            bodies = {int(k): 2 if k in np.unique(piece[joined.held[:, 0]]) else 1 for k in np.unique(piece)}
     if len(bodies) > 1:
         if all(v == 1 for v in bodies.values()):
             moved = arrange(graph, x)
@@ -356,6 +360,19 @@ def _at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tu
         for p in np.unique(task.graph.part[own]):
             c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
     return x, c
+
+
+def _clad(task: Task, x: Array, joined: Joined, piece: Array) -> tuple[Task, Array, Joined]:
+    """Clothes put on who wears them, and held there by a few stitches."""
+    worn = task.joining.built.pattern.worn if task.joining is not None else ()
+    if not worn or task.joining is None:
+        return task, x, joined
+    from tambour.crochet.finish.dressed import dressed
+    from tambour.crochet.finish.joining import with_seams
+
+    x, tacks = dressed(task.joining.spots, x, joined.upright, worn, piece)
+    task = replace(task, graph=with_seams(task.graph, tacks, task.width))
+    return task, x, replace(joined, seams=(*joined.seams, tacks))
 
 
 def _upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:

@@ -167,6 +167,20 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
+class Worn:
+    """A garment on who wears it: ``part`` on the rounds from ``low`` to ``high`` of ``host``, both with their copies.
+
+    where : "neck", "nape", "scarf", "waist" or "brow": what its upper end is about, or that it is wound
+    """
+
+    part: str
+    host: str
+    where: str
+    low: int
+    high: int
+
+
+@dataclass(frozen=True, slots=True)
 class Pattern:
     """A pattern read.
 
@@ -183,6 +197,7 @@ class Pattern:
     unread : what was not understood: gaps in the tree that took their counts, and sentences; left_out : rounds of them
         that are no part of the tree
     whole : the text for all its sizes, of which ``text`` is one; None where it is for one
+    worn : the clothes that its toys wear, the innermost first
     built : the same parts worked already (:class:`tambour.crochet.graph.build.Built`), where reading them took that
     """
 
@@ -199,4 +214,5 @@ class Pattern:
     unread: tuple[Problem, ...] = ()
     left_out: tuple[Span, ...] = ()
     whole: Text | None = None
+    worn: tuple[Worn, ...] = ()
     built: object = field(default=None, compare=False, repr=False)

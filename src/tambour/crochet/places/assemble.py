@@ -21,6 +21,7 @@ from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.onward import onward
 from tambour.crochet.places.said import Where
 from tambour.crochet.places.toy import Assembled, versions
+from tambour.crochet.places.wear import clothes
 
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
@@ -175,6 +176,11 @@ class Assembly(Hosts):
         self.out += [(order, record) for record, order in self.heard.exact]
         self.out += [(-1, record) for record in self.around]
         self.made.finish = [record for _, record in sorted(self.out, key=lambda pair: pair[0])]
+        if usual and any(isinstance(record, Placed) for record in self.made.finish):
+            self.made.worn = clothes(self)
+            on = {one.part.split(".")[0]: one.host for one in self.made.worn}
+            self.made.apart = [name for name in self.made.apart if name not in on]
+            self.made.guessed += [f"{name} worn on {host.split('.')[0]}" for name, host in on.items()]
         return self.made
 
     def _fill(self, waiting: list[Put]) -> None:

@@ -10,6 +10,7 @@ from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish
+from tambour.crochet.language.tree import Worn
 from tambour.crochet.places.hear import Copy
 from tambour.crochet.places.names import SIDED, Made, kind_of
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
@@ -40,7 +41,7 @@ class Assembled:
     """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place.
 
     apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills; behind : second layers of ears
-    and the like, of which nothing is seen; by their names
+    and the like, of which nothing is seen; by their names; worn : the clothes that are put on
     """
 
     finish: list[Finish] = field(default_factory=list)
@@ -51,6 +52,7 @@ class Assembled:
     apart: list[str] = field(default_factory=list)
     unstuffed: list[str] = field(default_factory=list)
     behind: list[str] = field(default_factory=list)
+    worn: list[Worn] = field(default_factory=list)
 
 
 class Toy:

@@ -116,6 +116,7 @@ def assembled(
         ):
             whole += more
         made.lost += found.lost
+        made.worn += found.worn
     return made
 
 
@@ -150,4 +151,4 @@ def with_places(pattern: Pattern, found: Assembled) -> Pattern:
         )
         for p in pattern.parts
     )
-    return replace(pattern, parts=parts)
+    return replace(pattern, parts=parts, worn=tuple(found.worn))

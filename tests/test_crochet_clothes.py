@@ -1,0 +1,142 @@
+"""Clothes: what a pattern makes for its doll is on the doll in its pictures, over the fabric, where it fits; else it is told."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.dressed import Wearer, wears
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.looks import in_sight
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
+from tambour.crochet.printed.pattern import read_printed
+
+DOLL = """POSY THE DOLL
+
+HEAD
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-10: sc around (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+Rnd 12: (sc, dec) x 6 (12)
+Fasten off. Insert safety eyes between rounds 7 and 8, 6 stitches apart.
+
+BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnds 4-14: sc around (18)
+Rnd 15: (sc, dec) x 6 (12)
+Fasten off.
+
+LEGS (make 2)
+Rnd 1: 6 sc in MR (6)
+Rnds 2-12: sc around (6)
+Fasten off.
+
+"""
+END = """
+FINISHING
+Sew the head to the body. Sew the legs to the bottom of the body.
+"""
+DRESS = """DRESS
+Ch 18, join with sl st to form a ring.
+Rnd 1: sc in each ch around (18)
+Rnds 2-5: sc around (18)
+Rnd 6: inc in each st around (36)
+Rnds 7-10: sc around (36)
+Fasten off.
+"""
+SWEATER = """SWEATER
+Row 1: Ch 23, sc in 2nd ch from hook and in each ch across (22)
+Rows 2-8: Ch 1, turn, sc in each st across (22)
+Fasten off.
+"""
+SKIRT = """Little Skirt
+Ch 24, join with sl st to form a ring.
+Rnd 1: sc in each ch around (24)
+Rnd 2: (3 sc, inc) x 6 (30)
+Rnds 3-5: sc around (30)
+Fasten off.
+"""
+SCARF = """Scarf
+Row 1: Ch 4, sc in 2nd ch from hook and in each ch across (3)
+Rows 2-50: Ch 1, turn, sc in each st across (3)
+Fasten off.
+"""
+ALONG = """SCARF
+Row 1: Ch 61, sc in 2nd ch from hook and in each ch across (60)
+Rows 2-3: Ch 1, turn, sc in each st across (60)
+Fasten off.
+"""
+
+
+def piece(clothes: str) -> tuple[Plush, list[str]]:
+    progress = Progress()
+    made = make(Text(DOLL + clothes + END, "posy.txt"), CrochetParams(detail="low", tolerance=0.05), progress)
+    return made, [p.message for p in progress.warnings]
+
+
+def part_of(made: Plush, name: str) -> int:
+    sections = made.built.pattern.parts
+    return next(k for k, p in enumerate(made.built.parts) if sections[p.section].name.lower() == name)
+
+
+@pytest.mark.parametrize(
+    ("clothes", "name", "where"),
+    [
+        (DRESS, "dress", "neck"),
+        (SWEATER, "sweater", "neck"),
+        (SKIRT, "little skirt", "waist"),
+        (SCARF, "scarf", "scarf"),
+        (ALONG, "scarf", "scarf"),
+    ],
+)
+def test_clothes_are_on_their_doll(clothes: str, name: str, where: str) -> None:
+    made, told = piece(clothes)
+    graph, x = made.built.graph, made.positions / made.built.graph.stitch_width
+    worn, body = part_of(made, name), part_of(made, "body")
+    (one,) = made.built.pattern.worn
+    assert (one.where, one.host.split(".")[0].lower()) == (where, "body")
+    assert (seen := in_sight(made)) is None or worn in seen
+    assert not any("stand beside it" in m for m in told) and any("worn on" in m.lower() for m in told)
+    own = x[graph.parts[worn].start : graph.parts[worn].end]
+    assert np.isfinite(own).all()
+    # Over the fabric, all of it, as far as the body reaches; its upper end at the neck, or at the waist.
+    under = x[wears(Spots(made.built), body, one.low, one.high)]
+    wearer = Wearer(under, np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
+    cloth = Wearer(np.vstack([under, own]), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
+    deep, angle, far = (v[len(under) :] for v in (cloth.deep, cloth.angle, cloth.far))
+    deep = deep - (wearer.middle[1] - cloth.middle[1]) * -1.0
+    over = far + 0.6 > wearer.wide(deep, angle)
+    assert over.mean() > 0.95
+    head = x[graph.parts[part_of(made, "head")].start : graph.parts[part_of(made, "head")].end]
+    assert own[:, 1].max() < head[:, 1].mean()
+    top, tall = under[:, 1].max(), np.ptp(under[:, 1])
+    if where == "waist":
+        assert own[:, 1].max() < top - 0.3 * tall
+    else:
+        assert own[:, 1].max() > top - 0.5 * tall
+    assert own[:, 1].min() > x[:, 1].min() - 1.5  # not into the ground
+
+
+@pytest.mark.parametrize("many", [4, 60])
+def test_what_does_not_fit_stays_beside_and_is_told(many: int) -> None:
+    tube = f"DRESS\nCh {many}, join with sl st to form a ring.\nRnd 1: sc in each ch around ({many})\nRnds 2-6: sc around ({many})\nFasten off.\n"
+    pattern = read_printed(Text(DOLL + tube + END, "posy.txt"))
+    assert pattern.worn == ()
+    assert any("stand beside it" in p.message and "DRESS" in p.message for p in pattern.warnings)
+
+
+@pytest.mark.parametrize("name", ["SKIRT EDGING", "STRAPS", "DRESS TRIM", "BELT BUCKLE"])
+def test_pieces_of_clothes_are_not_worn_by_themselves(name: str) -> None:
+    piece_ = f"{name}\nCh 18, join with sl st to form a ring.\nRnd 1: sc in each ch around (18)\nRnd 2: sc around (18)\nFasten off.\n"
+    assert read_printed(Text(DOLL + piece_ + END, "posy.txt")).worn == ()
+
+
+def test_clothes_for_a_doll_that_is_not_made_here_lie_beside_each_other() -> None:
+    assert read_printed(Text("DOLL CLOTHES\n\n" + DRESS + "\n" + SKIRT, "clothes.txt")).worn == ()
