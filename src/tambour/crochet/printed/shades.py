@@ -382,7 +382,10 @@ def spoken(code: str) -> dict[str, RGB]:
     """What the words for colours mean in a pattern by people, the first word for each colour before the others: yarns, not lights."""
     terms = TERMS[code]
     english = YARNS if terms.colors["blue"][0] == "blue" else {}
-    made = {w.lower(): english.get(w.lower()) or shade(css) for css, words in terms.colors.items() for w in words}
+    heard = {w: shade(name) for name, words in terms.heard.colors.items() for w in words}
+    made = heard | {
+        w.lower(): english.get(w.lower()) or shade(css) for css, words in terms.colors.items() for w in words
+    }
     return {word: hue for word, hue in {**english, **made}.items() if hue is not None}
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from tambour.crochet.printed.spread import spread
 from tambour.crochet.printed.tokens import Row, Token
 
 _PLAIN: Final = ("sc", "hdc", "dc", "tr")
@@ -14,6 +15,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
+    tokens = spread(tokens)
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]

@@ -11,6 +11,7 @@ from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.places.names import SIDED, one
+from tambour.crochet.printed import tongues
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.banners import banners
 from tambour.crochet.printed.colors import Palette
@@ -89,6 +90,7 @@ class State:
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
+        self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)
         self.rows = unwrapped(source.text.text, self.rows, self._begins_round)
         terms = TERMS[self.language.code]

@@ -89,6 +89,7 @@ class Heard:
     words : concept → spellings; stitches : standard name → spellings
     kinds : the same, of stitches whose ``increases`` and ``decreases`` the reader makes by itself
     said : what sentences are known by that tell no stitches → its words, which are no words of rounds
+    colors : the English name of a colour of yarn → spellings
     fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
     labels : words that number parts of a pattern, "Part 3: Pot"; steps : such that number other things too, "Step 3: Sew the ears"
     """
@@ -97,6 +98,7 @@ class Heard:
     stitches: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     kinds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     said: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    colors: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     increases: tuple[str, ...] = ()
     decreases: tuple[str, ...] = ()
     fillers: tuple[str, ...] = ()

@@ -1,0 +1,93 @@
+"""Rounds as people of other countries write them: ordinals, shortened words, spread increases, headings with copies, own short words."""
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
+from tambour.crochet.printed.choose import read
+
+
+def counts(text: str) -> dict[str, list[int]]:
+    """Heading → the stitches after each round of its first copy; a round that was not understood is told first."""
+    pattern = read(Text(text, "toy.txt"))
+    built = build(pattern)
+    assert not [w.line for w in built.worked if w.line.gap], pattern.unread
+    made: dict[str, list[int]] = {}
+    for w in built.worked:
+        fact = built.parts[w.part]
+        if fact.copy == 1 and w.line.in_round and w.made:
+            made.setdefault(pattern.parts[fact.section].heading or "", []).append(w.edge)
+    return made
+
+
+SPREAD = {
+    "de": "Kopf\nRd 1: 6 fM in den FR (6)\nRd 2: {}\nRd 3: {}\nRd 4: {}\nRd 5: {}\n",
+    "fr": "Tête\nT1 : 6 ms dans le CM (6)\nT2 : {}\nT3 : {}\nT4 : {}\nT5 : {}\n",
+    "nl": "Kop\nToer 1: 6 v in de MR (6)\nToer 2: {}\nToer 3: {}\nToer 4: {}\nToer 5: {}\n",
+    "es": "Cabeza\nR1.- 6pb en AM (6)\nR2.- {}\nR3.- {}\nR4.- {}\nR5.- {}\n",
+    "us": "Head\nRnd 1: 6 sc in MR (6)\nRnd 2: {}\nRnd 3: {}\nRnd 4: {}\nRnd 5: {}\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("code", "rounds"),
+    [
+        ("de", ("jede M verd. (12)", "jede 2. M verd. (18)", "je 18 fM (18)", "jede 2. und 3. M zus. (12)")),
+        ("de", ("jede Masche verdoppeln", "jede 2. Masche verdoppeln", "in jede Masche 1 fM", "* 1 fM, 2 M zus. * 6x wdh.")),
+        ("de", ("alle M verd. (12 M)", "* 1 fM, 1 M verd. * 6x wdh. (18 M)", "nur hMg, je M 1 fM (18 M)", "jede 3. M zusammenhäkeln (12)")),
+        ("fr", ("1 aug dans chaque m (12 m)", "1 aug ttes les 2 m (18 m)", "ms tout autour (18 m)", "*1 ms, 2 ms ens.* 6 fois. (12)")),
+        ("fr", ("12 ms", "aug toutes les 2 m (18)", "1 ms dans chaque m (18)", "(1 ms, 1 dim) x 6 (12)")),
+        ("nl", ("meerder in elke v (12)", "meerder in elke 2e v (18)", "18 v", "haak elke 2e en 3e v samen (12)")),
+        ("nl", ("2 v in elke v (12)", "*1 v, 2 v in de volgende v*, herhaal 6x (18)", "alleen in de achterste lussen, 1 v in elke v", "*1 v, 2 v sh*, herhaal 6x (12)")),
+        ("es", ("aum en todos (12)", "(1pb, aum)x6 (18)", "por HT, pb en todos los puntos (18)", "(1pb, dism)x6 (12)")),
+        ("es", ("2 mp en cada punto = 12", "aum cada 2 puntos (18)", "1 mp en cada punto = 18", "(1 mp, 1 dis) repetir 6 veces = 12")),
+        ("us", ("inc around (12)", "inc in every 2nd st (18)", "18 sc", "dec every 2nd and 3rd st around (12)")),
+        ("us", ("inc around", "inc every 2nd stitch", "sc around", "dec every 3rd st (12)")),
+    ],
+)  # fmt: skip
+def test_every_so_many_th_stitch(code: str, rounds: tuple[str, ...]) -> None:
+    doubled = rounds[0] != "12 ms"
+    made = counts(SPREAD[code].format(rounds[0] if doubled else "1 aug dans chaque m", *rounds[1:]))
+    assert list(made.values()) == [[6, 12, 18, 18, 12]]
+
+
+@pytest.mark.parametrize(
+    ("text", "copies"),
+    [
+        ("Orejas (2 iguales, crudo)\nVta 1: 6 mp en un aro mágico = 6\nVta 2: 2 mp en cada punto = 12\n", 2),
+        (
+            "OREILLES (x2, commencer en brun)\nRang 1 : 6 ms dans l'anneau magique. (6)\nRang 2 : 1 aug dans chaque m (12)\n",
+            2,
+        ),
+        ("Nageoires (en faire 3, bleu canard)\nT1 : 6 ms dans le CM (6 m)\nT2 : 1 aug dans chaque m (12 m)\n", 3),
+        ("BEINE, 4 Stück, mit Schwarz anfangen\nR1: 6 fM in MR (6)\nR2: jede M verd. (12)\n", 4),
+        ("Vleugels (oudroze, 2x)\nToer 1: 6 v in de MR (6)\nToer 2: 2 v in elke v (12)\n", 2),
+        ("POTEN - lichtgroen, 4x\nt1: 6 v in de mr (6)\nt2: meerder in elke v (12)\n", 4),
+    ],
+)
+def test_a_heading_says_its_copies(text: str, copies: int) -> None:
+    pattern = read(Text(text, "toy.txt"))
+    assert [p.copies for p in pattern.parts] == [copies] and not pattern.unread
+    assert list(counts(text).values()) == [[6, 12]]
+
+
+def test_short_words_that_the_text_explains() -> None:
+    text = (
+        "Abkürzungen:\nFM - feste Masche\nNO - Noppe: 5 Stäbchen in dieselbe M\nAB - Abnahme\n\n"
+        "KÖRPER\nR1: 6 FM in MR (6)\nR2: ZU*6 (12)\nR3: (1 FM, NO)*6 (12)\nR4: AB*6 (6)\nab hier Grau\nR5+R6: 6 FM\n"
+    )
+    assert list(counts(text).values()) == [[6, 12, 12, 6, 6, 6]]
+    assert not read(Text(text, "toy.txt")).unread
+
+
+def test_colours_have_their_names_in_each_language() -> None:
+    for text, hue in (
+        ("Kopf\nMit Moosgrün beginnen\nRd 1: 6 fM in MR (6)\n", "olive"),
+        ("Cabeza (crudo)\nVta 1: 6 mp en AM = 6\n", "natural"),
+        ("Tête\nAvec le bleu canard.\nT1 : 6 ms dans le CM (6)\n", "teal"),
+        ("KOP - oudroze\nToer 1: 6 v in de MR (6)\n", "old rose"),
+    ):
+        from tambour.crochet.printed.shades import shade
+
+        graph = build(read(Text(text, "toy.txt"))).graph
+        assert tuple(int(c) for c in graph.color[3][:3]) == shade(hue), text
