@@ -53,6 +53,7 @@ def assemble(
     rest[yarn & lift[edges[:, 0]]] = height
     rest[yarn & lift[edges[:, 1]] & ~lift[edges[:, 0]]] = BESIDE * width
     chained = np.array([s[0] == "ch" for s in hook.styles], np.bool_)[look] & ~lift
+    chained[list(hook.strung)] = False
     if chained.any():
         # Not those of foundations and of bridges between edges.
         kinds_at = [hook.styles[hook.style[r.last]][0] for r in hook.rounds]

@@ -19,6 +19,8 @@ from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
 from tambour.crochet.graph.spaces import into_space, pass_rest, to_space
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
+from tambour.crochet.graph.strands import hang
+from tambour.crochet.graph.strands import work as work_strands
 from tambour.crochet.language.stitches import RULES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
 
@@ -160,6 +162,7 @@ class _Worker:
         except HookError as error:
             self.problems.append(error.problem)
             fine, self.broken = False, True
+        work_strands(hook, last=True)
         hook.end_part()
         hollow = self._hollow(section, start) if fine and section.hollow is not None else (0, 0)
         self.parts.append(Part(name, start, len(hook), _stuffing(section.stuffing), hollow))
@@ -204,6 +207,7 @@ class _Worker:
     def _once(self, line: Line, number: int | None) -> None:
         """One working of a line, under the number that the round bears."""
         hook = self.hook
+        work_strands(hook)
         names = set(_names(line.items))
         elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
         self.fresh, below, self.left, self.stitched = len(hook), hook.now.count, None, False
@@ -289,6 +293,7 @@ class _Worker:
         """Stops a pattern that grows too large, before it does, at the count that is most to blame."""
         self.steps += 1
         most = self.pattern.max_stitches
+        nodes += self.hook.hanging
         if len(self.hook) + nodes <= most and self.steps <= _IDLE * most + 1000:
             return
         numbers = [*self.numbers, own] if own else self.numbers
@@ -304,7 +309,7 @@ class _Worker:
         if action.name not in RULES:
             stitch = self.pattern.stitches[action.name]
             own = (action.times, action.times_span) if action.times_span else None
-            self._step(action.times * stitch.makes, own)
+            self._step(action.times * stitch.nodes, own)
             if action.times:
                 self._work(stitch, action)
                 self._note(action)
@@ -381,6 +386,8 @@ class _Worker:
             ring(self.hook, stitch)
         elif stitch.where == "sp":
             into_space(self.hook, stitch, action.times)
+        elif stitch.where == "curl":
+            hang(self.hook, [(self.pattern.stitches[name], many) for name, many in stitch.inner], action.times)
         elif self.hook.now.folded:
             through_both(self.hook, stitch, action.times)
         else:

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
-from tambour.crochet.graph.moment import Moment, Round, Stretches
+from tambour.crochet.graph.moment import Moment, Round, Strand, Stretches
 from tambour.crochet.graph.plainly import TOO_LOW, plainly, strip
 from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
@@ -50,6 +50,9 @@ class Hook:
         self.rings: dict[int, int] = {}  # roots of rings of any stitches → how many stand around them
         self.laid: list[tuple[int, int]] = []  # stitches of two layers that one stitch was worked through
         self.lifts: dict[int, None] = {}  # chains that only lift the yarn to the next round or row
+        self.waiting: list[Strand] = []  # that are worked once their round is whole
+        self.hanging = 0  # nodes that they will make
+        self.strung: set[int] = set()  # nodes of strands, which are of no round
         self.styles: list[tuple[str, float, int, tuple[int, int, int], int, int, int, Span]] = []
         self._style_of: dict[tuple[object, ...], int] = {}
         self._looks: dict[tuple[object, ...], list[int]] = {}  # of a stitch at a place of the text

@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, THROUGH, TIP, StitchGraph
-from tambour.crochet.graph import ovals, rolls
+from tambour.crochet.graph import dangling, ovals, rolls
 
 LEAST_RISE = 0.3
 """The share of a row's height that a round lies above the one before, however much wider it is; openwork lies flat."""
@@ -112,6 +112,9 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         over = np.repeat(np.arange(b - a), np.diff(graph.anchor_offsets[a : b + 1]))  # which node is worked into each
         over, anchors = over[anchors < a], anchors[anchors < a]
         under = np.unique(anchors)
+        if not len(under) and dangling.strung(graph, a, b):
+            dangling.placed(graph, x, heights, (a, b), bool(flat[part]))
+            continue
         if not len(under):
             on = ovals.base(graph, a, b) if half[part] < 0.0 else 0
             if on:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from tambour.core.errors import Span
 from tambour.core.graph import BOTH
+from tambour.crochet.language.stitches import Stitch
 
 
 @dataclass(slots=True)
@@ -74,7 +75,7 @@ class Round:
 
     number : from 1 within its part; count : its stitches, lifting chains aside; span : the text of its first stitch
     below : the round it is worked into (an index), -1 for a ring or a chain
-    whole : it used up the round below
+    whole : it used up the round below; aside : it is no round, but strands that hang off one
     """
 
     part: int
@@ -85,6 +86,19 @@ class Round:
     span: Span
     below: int
     whole: bool
+    aside: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Strand:
+    """A chain to be worked off the node ``base``, and back along: ``inner``, the chain first; its yarn, its place in the text and the
+    number of its round."""
+
+    base: int
+    inner: tuple[tuple[Stitch, int], ...]
+    color: tuple[int, int, int]
+    span: Span
+    number: int
 
 
 @dataclass(slots=True)
@@ -96,6 +110,7 @@ class Stretch:
     begun : a stitch has been worked into it
     faces : how many of its own
     back : its first round is worked into back loops only
+    aside : it hangs off the fabric, and is never its outside
     """
 
     ends: list[int] = field(default_factory=list)
@@ -103,6 +118,7 @@ class Stretch:
     begun: bool = False
     faces: int = 0
     back: bool = False
+    aside: bool = False
 
 
 class Stretches:
@@ -152,7 +168,7 @@ class Stretches:
             shut[k] = stretch.shut or (bool(ended) and all(ended))
         outside = [False] * n
         followed = {f for fs in self.followers for f in fs}
-        todo = [k for k in range(n) if k not in followed]
+        todo = [k for k in range(n) if k not in followed and not self.all[k].aside]
         while todo:
             k = todo.pop()
             if not outside[k]:

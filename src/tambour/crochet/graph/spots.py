@@ -53,6 +53,8 @@ class Spots:
         made: dict[int, int] = {}  # part → its last round with stitches
         into = np.diff(built.graph.anchor_offsets)
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
+            if round_.aside:
+                continue
             if round_.count > 0 or len(self.stitches(k)):
                 made[round_.part] = k
             if (round_.part, number) in self._at and not into[round_.first : round_.last].any():
@@ -94,7 +96,7 @@ class Spots:
             turns, weights, rings = [0.0], [0.0], [np.zeros(0, int)]
             for r in self.built.rounds:
                 nodes = np.arange(r.first, r.last + 1)
-                if r.part != part or len(nodes) < LEAST:
+                if r.part != part or r.aside or len(nodes) < LEAST:
                     continue
                 off = (x[nodes] - x[nodes].mean(0))[:, [0, 2]]
                 wanders = (part, int(graph.round[r.first])) in joined
@@ -138,14 +140,14 @@ class Spots:
     def last(self, part: int) -> int:
         """The last round of a part, an index of Built.rounds."""
         end = self._end(part)
-        mine = [(r.first, k) for k, r in enumerate(self.built.rounds) if r.part == part]
+        mine = [(r.first, k) for k, r in enumerate(self.built.rounds) if r.part == part and not r.aside]
         return max((k for first, k in mine if first <= end), default=mine[-1][1])
 
     def rounds_of(self, part: int) -> list[int]:
         """The numbers of a part's rounds, in order; those of stray rings are none of it."""
         if part not in self._numbers:
             end = self._end(part)
-            mine = [(r.first, n) for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+            mine = [(r.first, n) for r, n in zip(self.built.rounds, self.numbers) if r.part == part and not r.aside]
             self._numbers[part] = [n for first, n in mine if first <= end] or [n for _, n in mine]
         return self._numbers[part]
 

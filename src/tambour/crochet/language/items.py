@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 from tambour.core.errors import Span, did_you_mean
 from tambour.core.rgb import colored, css_colors
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import EDGES, RULES, Stitch, into_one, standard
+from tambour.crochet.language.stitches import EDGES, RULES, Place, Stitch, into_one, standard
 from tambour.crochet.language.tree import Action, Group, Item
 
 _COPY = re.compile(r"^(.*)\.(\d+)$")
 MOST_IN_ONE: Final = 64
+MOST_IN_CURL: Final = 400
+"""The most chains of a curl, and the most stitches of a kind in a row back along it."""
 """Stitches in one place."""
 
 
@@ -128,7 +130,7 @@ def _in_one(
 ) -> Item | None:
     """Stitches in braces: worked into one anchor, chain space or ring; the new stitch becomes known."""
     kinds = [getattr(child, "type", "") for child in tree.children]
-    where: Literal["", "sp", "ring"] = "sp" if "SPACE" in kinds else "ring" if "RING" in kinds else ""
+    where: Place = "sp" if "SPACE" in kinds else "ring" if "RING" in kinds else "curl" if "CURL" in kinds else ""
     inner = next(child for child in tree.children if not hasattr(child, "type"))
     span = source.span(*_ends(inner))
     text = source.text.text
@@ -144,15 +146,20 @@ def _in_one(
     try:
         stitch = into_one(made, where)
     except ValueError as error:
-        source.error(str(error), "braces hold stitches that are worked into one place", span)
+        source.error(
+            str(error),
+            "braces hold stitches that are worked into one place" if where != "curl" else "curl{21 ch, 20 sc}",
+            span,
+        )
         return None
     times, at = before
     if after[0] is not None and at is not None and after[1] is not None:
         source.error("two numbers for one stitch", "keep one of the two", after[1])
     if after[0] is not None:
         times, at = after[0], after[1]
-    if sum(times for _, times in made) > MOST_IN_ONE:
-        source.error(f"more than {MOST_IN_ONE} stitches in one place", "work some of them elsewhere", span)
+    most = MOST_IN_CURL if where == "curl" else MOST_IN_ONE
+    if max(times for _, times in made) > most or (where != "curl" and sum(times for _, times in made) > most):
+        source.error(f"more than {most} stitches in one place", "work some of them elsewhere", span)
     if where == "ring" and (at is not None or bracket):
         source.error("a ring is not repeated", "take it out of the brackets", span)
     if where == "ring":
@@ -171,12 +178,12 @@ def _in_one(
 def _flat(source: Source, item: Item, times: int, made: list[tuple[Stitch, int]]) -> None:
     """The stitches of an item, one after another; what does not belong in braces is told."""
     if isinstance(item, Group):
-        for _ in range(min(item.times or 1, MOST_IN_ONE + 1)):
+        for _ in range(min(item.times or 1, MOST_IN_CURL + 1)):
             for inner in item.items:
-                if len(made) <= MOST_IN_ONE:
+                if len(made) <= MOST_IN_CURL:
                     _flat(source, inner, times, made)
     elif item.name in source.stitches:
-        made.append((source.stitches[item.name], min(item.times * times, MOST_IN_ONE + 1)))
+        made.append((source.stitches[item.name], min(item.times * times, MOST_IN_CURL + 1)))
     else:
         source.error("only stitches stand in braces", "put it before them", item.span)
 

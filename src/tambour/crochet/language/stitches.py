@@ -17,6 +17,8 @@ NEXT: Final = "next"
 JOIN: Final = "join"
 KNOT: Final = "knot"
 
+Place = Literal["", "sp", "ring", "curl"]
+
 
 @dataclass(frozen=True, slots=True)
 class Move:
@@ -32,18 +34,19 @@ class Move:
 class Stitch:
     """A stitch: its name in standard terms and its moves.
 
-    where : "" into the next anchor; "sp" into the next chain space; "ring" into a new magic ring
+    where : "" into the next anchor; "sp" into the next chain space; "ring" into a new magic ring; "curl" a chain, and back along it
     inner : of what stitches, and how often each in a row, a group worked into one place is made
     approximate : what its node in the graph leaves out, "" when nothing
-    makes : nodes it makes; takes : anchors it uses up (the one that it ends on counts when yarn was pulled through)
+    nodes : that it makes; makes : those of them that are stitches of the round; takes : anchors it uses up (the one that it ends on counts when yarn was pulled through)
     """
 
     name: str
     moves: tuple[Move, ...]
-    where: Literal["", "sp", "ring"] = ""
+    where: Place = ""
     inner: tuple[tuple[str, int], ...] = ()
     approximate: str = ""
 
+    nodes: int = field(init=False, repr=False, compare=False)
     makes: int = field(init=False, repr=False, compare=False)
     takes: int = field(init=False, repr=False, compare=False)
 
@@ -54,8 +57,10 @@ class Stitch:
                 passed, touched = passed + 1, False
             elif move.what in (THROUGH, JOIN):
                 touched = True
-        object.__setattr__(self, "makes", sum(m.what == OVER for m in self.moves))
-        object.__setattr__(self, "takes", passed + touched)
+        aside = self.where == "curl"
+        object.__setattr__(self, "nodes", sum(m.what == OVER for m in self.moves))
+        object.__setattr__(self, "makes", 0 if aside else self.nodes)
+        object.__setattr__(self, "takes", 0 if aside else passed + touched)
 
     @property
     def fits_in_one(self) -> bool:
@@ -153,19 +158,21 @@ BASIC: Final = frozenset(
 """Stitches that a pattern may not define anew."""
 
 
-_LOW: Final = Stitch("slst", (Move(THROUGH), Move(OVER, "sc", 0.4)))
+LOW: Final = Stitch("slst", (Move(THROUGH), Move(OVER, "sc", 0.4)))
 
 
-def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring"] = "") -> Stitch:
+def into_one(inner: Sequence[tuple[Stitch, int]], where: Place = "") -> Stitch:
     """The stitch that is ``inner`` (each so many times) worked into one anchor, chain space or magic ring.
 
     Its name is what one writes: ``{dc, ch, dc}``, ``sp{3 dc}``, ``MR{3 dc, 2 ch}``; several of one kind in an anchor are
     an increase. ValueError for a stitch that does not fit in one place, and when nothing is worked into it.
     """
+    if where == "curl":
+        return _curl(inner)
     merged: list[tuple[Stitch, int]] = []
     for stitch, times in inner:
         if stitch.name == "slst":
-            stitch = _LOW  # among others in one place it stands as a low stitch
+            stitch = LOW  # among others in one place it stands as a low stitch
         if not stitch.fits_in_one:
             raise ValueError(f"{stitch.name} does not fit in one place")
         if merged and merged[-1][0].name == stitch.name:
@@ -174,7 +181,7 @@ def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring
             merged.append((stitch, times))
     if not any(m.what == THROUGH for stitch, _ in merged for m in stitch.moves):
         raise ValueError("nothing is worked into it")
-    if not where and len(merged) == 1 and merged[0][0] is not _LOW:
+    if not where and len(merged) == 1 and merged[0][0] is not LOW:
         stitch, times = merged[0]
         prefix = "" if stitch.name == "sc" else stitch.name
         name = stitch.name if times == 1 else f"{prefix}inc{times if times > 2 else ''}"
@@ -188,6 +195,28 @@ def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring
         tuple((stitch.name, times) for stitch, times in merged),
         next((stitch.approximate for stitch, _ in merged if stitch.approximate), ""),
     )
+
+
+def _curl(inner: Sequence[tuple[Stitch, int]]) -> Stitch:
+    """``curl{21 ch, 20 hdc}``: a chain, and stitches back along it from where its end lifts the first of them. ValueError where they do
+    not go into it."""
+    merged: list[tuple[Stitch, int]] = []
+    for stitch, times in inner:
+        if merged and merged[-1][0].name == stitch.name:
+            merged[-1] = (stitch, merged[-1][1] + times)
+        elif times:
+            merged.append((stitch, times))
+    (chain, size), back = merged[0], merged[1:]
+    takes = sum(stitch.takes * times for stitch, times in back)
+    if chain.name != "ch" or not back:
+        raise ValueError("a curl is a chain, and stitches back along it")
+    if any(stitch.where or stitch.name == "ch" or not stitch.moves for stitch, _ in back):
+        raise ValueError("only stitches go back along a chain")
+    if not 0 < takes < size:
+        raise ValueError(f"stitches into {takes} chains do not go back along {size}")
+    said = ", ".join(stitch.name if times == 1 else f"{times} {stitch.name}" for stitch, times in merged)
+    moves = tuple(move for stitch, times in merged for move in stitch.moves * times)
+    return Stitch(f"curl{{{said}}}", moves, "curl", tuple((stitch.name, times) for stitch, times in merged))
 
 
 # The seed's moves under their own names, for definitions in a pattern.

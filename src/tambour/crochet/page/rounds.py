@@ -16,7 +16,7 @@ from tambour.crochet.page.written import Written
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import Terms
 
-_PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
+_PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring", "curl": "curl"}
 _HEADED: Final = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)?\.?\s*\d+\W*\s", re.IGNORECASE)
 _NUMBERED: Final = re.compile(r"\b(?:rounds?|rnds?|rows?|rd|r)\.?\s*\d+[^.]*$|^\s*\d+\s*[.:)][^.]*$", re.IGNORECASE)
 _COUNTED: Final = re.compile(r"\s*[-–=]*\s*[(\[{]\d+(?:\s*\w+)?[)\]}]\W*$")

@@ -1,5 +1,5 @@
 """Printed patterns, curls: chains that the hook works back along to where they began ("ch 5, sl st in 2nd ch from hook and in next 3 ch"):
-toes, spines, strands of hair, petals. They stand off the fabric as a picot does, and are drawn as a loop of chains."""
+toes, spines, petals, strands of hair. Those closed to a loop stand off the fabric as a picot does; along the others stitches go back."""
 
 from __future__ import annotations
 
@@ -11,35 +11,39 @@ from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import closing, multiplier
 from tambour.crochet.printed.cursor import OPEN
 from tambour.crochet.printed.reader import Reader
+from tambour.crochet.printed.strands import strand
 
 _IDLE: Final = ("color", "flo", "blo", "bl")
 _LINK: Final = 6  # words of a bracket that is worked in one chain
 
 
-def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
+def curl(r: Reader, found: list[Item], name: str, many: int, place: Where) -> bool:
     """Puts a curl in place of the chains just read, where the stitch at the cursor, into ``place``, goes back along them; whether it does."""
     last = found[-1] if found else None
     if not isinstance(last, Action) or last.name != "ch":
         return False
-    many = last.times
+    long = last.times
     if place.kind in ("same", "joined"):
         behind = r.stars > 0 or any(
             not isinstance(i, Action) or i.name not in (*_IDLE, "ch", "join", "turn") for i in found[:-1]
         )
-        if not (name == "slst" and behind and many in PICOTS):
+        if not (name == "slst" and behind and long in PICOTS):
             return False
-        found[-1] = Action(f"picot{many}" if many != 3 else "picot", last.span)
+        found[-1] = Action(f"picot{long}" if long != 3 else "picot", last.span)
         r.body.curled = r.body.curled or r.stars > 0
         return True
     if place.kind != "hook":
         return False
-    whole = place.ordinal >= many > 2
+    whole = place.ordinal >= long > 2
     inside = r.depth > 0 or r.lying or any(_worked(i) for i in found[:-1])
     if not inside and not (whole and name == "slst"):
         return False  # the chain that the piece begins with
-    left = 0 if whole else max(0, many - place.ordinal)
+    if not (whole and name == "slst") and strand(r, found, (name, many), place.ordinal):
+        return True
+    left = 0 if whole else max(0, long - place.ordinal)
     left = _further(r, left)
-    size = many - left
+    size = long - left
+    r.body.bent = not (whole and name == "slst")
     if size not in PICOTS:
         return False
     found.pop()
@@ -54,9 +58,13 @@ def back_along(r: Reader, found: list[Item], place: Where) -> bool:
     """Puts a curl in place of the chains just read, where the hook goes back along all of them in whatever stitches, "beginning in 2nd ch from
     hook, (sc3tog) twice, …, dc in last ch"; whether it does."""
     c, last = r.c, found[-1] if found else None
-    if not isinstance(last, Action) or last.name != "ch" or last.times not in PICOTS or place.ordinal > 3:
+    if not isinstance(last, Action) or last.name != "ch" or place.ordinal > 4:
         return False
     if not (r.lying or r.depth or any(_worked(i) for i in found[:-1])):
+        return False
+    if strand(r, found, None, place.ordinal):
+        return True
+    if last.times not in PICOTS:
         return False
     end = next(
         (k for k in range(c.at, len(c.tokens)) if c.tokens[k].word == "." or c.tokens[k].value == "ch"), len(c.tokens)
@@ -71,6 +79,7 @@ def back_along(r: Reader, found: list[Item], place: Where) -> bool:
     if end >= len(c.tokens) or c.tokens[end].value != "ch":
         return False
     c.at = end + 1
+    r.body.bent = True
     found[-1] = Action("picot" if last.times == 3 else f"picot{last.times}", last.span)
     r.body.curled = True
     return True
@@ -152,7 +161,9 @@ def rooted(items: list[Item]) -> list[Item]:
             chained = any(isinstance(i, Action) and i.name == "ch" for i in item.items)
             inner = item.items if chained else (Action("ch", item.span), *item.items)
             made.append(Group(inner, item.times or 1, item.span))
-        elif item.name.startswith("picot") and not (made and isinstance(made[-1], Action) and made[-1].name == "ch"):
+        elif item.name.startswith(("picot", "curl{")) and not (
+            made and isinstance(made[-1], Action) and made[-1].name == "ch"
+        ):
             made += [Action("ch", item.span), item]
         else:
             made.append(item)

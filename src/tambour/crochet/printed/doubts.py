@@ -139,7 +139,7 @@ def decided(
     if body.both:
         said = "another piece is joined here: it is worked on the one at the hook"
         source.doubt(said, "the pieces stand beside each other", Span(tokens[0].start, tokens[-1].end))
-    if body.curled:
+    if body.bent:
         span = Span(tokens[0].start, tokens[-1].end)
         source.doubt("what is worked back along chains is drawn as a loop of them", "nothing is amiss", span)
     if body.loose and not body.fit:

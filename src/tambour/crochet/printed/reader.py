@@ -40,7 +40,7 @@ class Body:
     plain : "work 3 rnds even": so many plain rounds that follow it, each with its place
     spread : increases or decreases are spread over the stitches of the round below, and over no others
     loose : its count names other things too ("22 sc and 2 ears"), which may or may not be among it
-    curled : it has chains that the hook works back along
+    curled : it has chains that the hook works back along; bent : of which some are drawn as a loop
     both : it is worked through another piece as well
     moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
     later : colours that are changed to at the end of its rounds, or of the one with that number
@@ -76,6 +76,7 @@ class Body:
     spread: bool = False
     loose: bool = False
     curled: bool = False
+    bent: bool = False
     both: bool = False
     moved: Moved | None = None
     edged: list[Span] = field(default_factory=list)

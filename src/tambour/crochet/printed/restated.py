@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from typing import Final, Literal
+from typing import Final
 
 from tambour.core.errors import Span, TambourError, Text
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish
-from tambour.crochet.language.items import MOST_IN_ONE
+from tambour.crochet.language.items import MOST_IN_CURL, MOST_IN_ONE
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import STARTS, STITCHES, STUFFING, Stitch, into_one
+from tambour.crochet.language.stitches import STARTS, STITCHES, STUFFING, Place, Stitch, into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Pattern, Section, written
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import heard
@@ -26,7 +26,7 @@ _ANEW: Final = ("mr", "goto", "oval", "fsc")
 """Actions with which other work begins, that has numbers of its own."""
 _DEEPEST: Final = 24
 _CLOSES: Final = "(["
-_PLACES: Final[dict[str, Literal["", "sp", "ring"]]] = {"one stitch": "", "one space": "sp", "one ring": "ring"}
+_PLACES: Final[dict[str, Place]] = {"one stitch": "", "one space": "sp", "one ring": "ring", "one curl": "curl"}
 
 
 class _Unknown(Exception):
@@ -327,10 +327,11 @@ class _Reader:
             return Group(tuple(self._items(inner, start + 1, depth + 1)), times, Span(at, at + len(number)))
         return self._stitch(said, span)
 
-    def _together(self, words: str, where: Literal["", "sp", "ring"], span: Span) -> Action:
+    def _together(self, words: str, where: Place, span: Span) -> Action:
         """Stitches worked into one place."""
         inner = [i for i in self._items(words, span.start + 1, _DEEPEST) if isinstance(i, Action)]
-        if not all(i.name in self.stitches and i.times <= MOST_IN_ONE for i in inner):
+        most = MOST_IN_ONE if where != "curl" else MOST_IN_CURL
+        if not all(i.name in self.stitches and i.times <= most for i in inner):
             raise _Unknown
         try:
             made = into_one([(self.stitches[i.name], i.times) for i in inner], where)

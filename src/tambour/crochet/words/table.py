@@ -52,6 +52,7 @@ SENTENCES: Final = {
     "one stitch": "items",
     "one space": "items",
     "one ring": "items",
+    "one curl": "items",
     # Of a part.
     "stuff none": "",
     "stuff light": "",
