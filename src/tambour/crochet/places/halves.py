@@ -15,8 +15,10 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.places.names import Made
 
 _TOGETHER: Final = re.compile(
-    r"\b(?:pieces?|halves|front and back|back and front|bod(?:y|ies)|fronts?|backs?|sides)\b[^.\n]{0,90}\b(?:tog|together)\b"
-    r"|\b(?:ws|rs|wrong sides?|right sides?)\s+(?:tog|together|facing)\b"
+    r"\b(?:pieces?|halves|front and back|back and front|bod(?:y|ies)|fronts?|backs?|sides|panels|squares|circles|discs|layers)\b[^.\n]{0,90}"
+    r"\b(?:tog|together)\b"
+    r"|\bthrough (?:both|the 2|the two)(?: (?:pieces|halves|layers|panels|squares|circles|discs|sides|edges|thicknesses))?\b"
+    r"|\b(?:ws|rs|wrong sides?|right sides?)\s+(?:tog|together|facing|out)\b"
     r"|\bmatching pieces\b"
 )
 _TWO: Final = re.compile(r"\b(?:2|two|both) (?:matching )?(?:pieces|halves|sides)\b[^.\n]{0,20}\b(?:tog|together)\b")
@@ -46,14 +48,41 @@ def halves(built: Built) -> list[tuple[int, int]]:
         for back in single:
             if (set(front.words) ^ set(back.words)) == {"front", "back"} and "front" in front.words:
                 found.append((spots.parts[f"{front.name}.1"], spots.parts[f"{back.name}.1"]))
-    graph = built.graph
+    taken = {k for pair in found for k in pair}
+    found += [(a, b) for a, b in _held(built, spots, single) if not {a, b} & taken]
+    size = {k: built.graph.parts[k].end - built.graph.parts[k].start for pair in found for k in pair}
     return [
         (a, b)
         for a, b in found
-        if spots.in_rows[a]
-        and spots.in_rows[b]
-        and graph.parts[a].end - graph.parts[a].start == graph.parts[b].end - graph.parts[b].start >= _LEAST
+        if (spots.in_rows[a] and spots.in_rows[b] and size[a] == size[b] >= _LEAST)
+        or (_wide(built, spots, a) and _LEAST <= size[a] <= size[b] and _same(built, spots, a, b))
     ]
+
+
+def _held(built: Built, spots: Spots, single: list[Made]) -> list[tuple[int, int]]:
+    """Pairs of parts made once whose names differ in what only tells two sides apart: "Side A" and "Side B", "Half 1" and "Half 2"."""
+    every = [spots.parts[f"{m.name}.1"] for m in single]
+    names = [" ".join(w for w in re.findall(r"[a-z]+", m.name.lower()) if len(w) > 1 and w not in _SIDES) for m in single]
+    of = {spots.parts[f"{s.name}.1"]: s.heading for s in built.pattern.parts if s.heading and f"{s.name}.1" in spots.parts}
+    pairs = [(i, k) for i in range(len(every)) for k in range(i + 1, len(every))]
+    return [
+        (every[i], every[k]) for i, k in pairs if names[i] == names[k] or (of.get(every[i]) and of[every[i]] == of.get(every[k]))
+    ]
+
+
+_SIDES: Final = frozenset("front back first second one two top bottom left right upper lower light dark".split())
+
+
+def _wide(built: Built, spots: Spots, part: int) -> bool:
+    """Whether a part in rounds is open where it is widest, as a disc, an oval, a square or half a ball is."""
+    counts = [r.count for r in built.rounds if r.part == part and not r.aside and r.count]
+    return not spots.in_rows[part] and len(spots.edge(part)) > 0 and bool(counts) and max(counts) <= counts[-1]
+
+
+def _same(built: Built, spots: Spots, one: int, other: int) -> bool:
+    """Whether the rounds of a part are those that another begins with; what that has more is worked through both."""
+    mine, theirs = ([r.count for r in built.rounds if r.part == k and not r.aside] for k in (one, other))
+    return not spots.in_rows[other] and theirs[: len(mine)] == mine and len(theirs) <= len(mine) + 1
 
 
 _LARGE: Final = frozenset(("body", "head", "", "bow"))
@@ -71,7 +100,7 @@ def joined(built: Built) -> Built:
     behind = set()
     for one, other in pairs:
         shift = graph.parts[other].start - graph.parts[one].start
-        edge = spots.edge(one)
+        edge = spots.edge(one) if spots.in_rows[one] else spots.stitches(spots.last(one))
         sewn += [(int(max(n, n + shift)), int(min(n, n + shift))) for n in edge]
         behind.add(other)
     of = graph.part

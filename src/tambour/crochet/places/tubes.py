@@ -8,15 +8,24 @@ from typing import Final
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.places.names import Made
 
 _SEWN: Final = r"[^.\n]{0,80}\b(?:tog(?:ether)?\b|to form (?:a )?tube|to form (?:a )?ring|seam)"
+_BY: Final = r"\b(?:sew|seam|join|close|connect|(?:whip|mattress)\s?-?stitch|sl(?:ip)?\s?-?st(?:itch(?:es)?)?s?|sc|single crochet|crochet)\b"
+_LAST: Final = r"(?:last row|row \d+|final row)"
+_FIRST: Final = r"(?:the )?(?:first|1st|row 1\b|foundation|beginning|starting|initial|chain)"
 _ROWS: Final = re.compile(
-    r"\b(?:sew|seam|join|whip\s?stitch)[^.\n]{0,60}\b(?:first and last rows?|last row to (?:the )?first)\b"
+    rf"{_BY}[^.\n]{{0,60}}\b(?:(?:first|1st) and last rows?|last and (?:first|1st) rows?|{_LAST} (?:to|with|and|onto|on|against) {_FIRST})"
+    rf"|\b{_LAST} (?:meets?|touch(?:es)?|lies (?:up)?on|is (?:up)?on|(?:to|with|and|against)) {_FIRST}[^\n]{{0,60}}{_BY}"
 )
+_GATHERED: Final = re.compile(
+    r"\b(?:gather(?:ed)?|cinch|pull(?:ed)? (?:it |the (?:tail|yarn|thread) )?(?:tight|closed|shut|to (?:gather|close))|draw(?:n)? (?:it )?(?:up|closed|together|tight))\b"
+)
+_BOTH: Final = re.compile(r"\b(?:both|each|other|second|opposite|bottom) ends?\b[^.\n]{0,40}|\b(?:bottom|lower) (?:edge|opening)\b")
 _SIDES: Final = re.compile(
     r"\b(?:sew|seam|join|whip\s?stitch)[^.\n]{0,40}\b(?:side edges|ends of (?:the )?rows|row ends)\b" + _SEWN
 )
@@ -71,6 +80,20 @@ def tubes(built: Built) -> list[tuple[int, int]]:
             one, other = (r[np.argsort(x[r], kind="stable")] for r in (rows[0], rows[-1]))
             at = np.round(np.linspace(0, len(other) - 1, len(one))).astype(int)
             found += list(zip(other[at].tolist(), one.tolist()))
+            found += _gathered(rows, x, said)
         elif along:
             found += [(int(r[x[r].argmin()]), int(r[x[r].argmax()])) for r in rows]
     return [(max(a, b), min(a, b)) for a, b in found if a != b]
+
+
+def _gathered(rows: list[Array], x: Array, said: str) -> list[tuple[int, int]]:
+    """Pairs of row ends that a thread through all of them draws to each other: at one end of a tube, or where it is said of the other
+    too, at both."""
+    drawn = [sentence for sentence in re.split(r"[.\n]", said) if _GATHERED.search(sentence)]
+    ends = (len(drawn) > 0) + any(_BOTH.search(sentence) is not None for sentence in drawn)
+    found: list[tuple[int, int]] = []
+    for k in range(ends):
+        rim = [int(r[x[r].argmin() if k else x[r].argmax()]) for r in rows]
+        half = len(rim) // 2
+        found += [(rim[i], rim[i + half]) for i in range(half)]
+    return found

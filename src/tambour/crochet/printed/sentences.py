@@ -35,6 +35,7 @@ from tambour.crochet.printed.headlines import dyed_only
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.hung import joined_in_loops
 from tambour.crochet.printed.items import EVENED, bare_count, evens, flat, lifts, lifts_alone, rings, smooths, works
+from tambour.crochet.printed.laid import laid
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.parts import Draft
@@ -118,6 +119,8 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
 def sentence_read(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
     tokens = turned(tokens, TERMS[p.language.code].heard.said.get("through", ()))
+    if laid(p, tokens):
+        return True
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end
     worked_in(p, begin, end)

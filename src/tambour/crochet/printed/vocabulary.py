@@ -10,6 +10,7 @@ from typing import Any, Final
 from tambour.crochet.language.stitches import STITCHES, standard
 from tambour.crochet.printed.shorthand import plain
 from tambour.crochet.printed.tokens import Token, rows
+from tambour.crochet.printed.underside import plainly_put
 from tambour.crochet.words.table import TERMS, Heard
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
@@ -134,7 +135,7 @@ class Vocabulary:
         """``tokens`` with phrases made one token each, of kind "stitch" or "key", and fillers left out."""
         known = self._read.get(id(tokens))
         if known is None or known[0] is not tokens:
-            known = self._read[id(tokens)] = tokens, plain(self._phrased(tokens))  # lines are looked at more than once
+            known = self._read[id(tokens)] = tokens, plainly_put(plain(self._phrased(tokens)))  # lines are looked at more than once
         return list(known[1])
 
     def _phrased(self, tokens: list[Token]) -> list[Token]:

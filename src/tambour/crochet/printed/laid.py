@@ -1,0 +1,59 @@
+"""Printed patterns, laid: two pieces laid on each other and worked together all round ("sc 30 through both layers"): a round on the second."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.printed.tokens import Token
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.parts import Draft
+    from tambour.crochet.printed.state import State
+
+_PIECES: Final = frozenset("pieces halves panels squares circles discs disks layers sides thicknesses fronts backs motifs both two".split())
+_HELD: Final = frozenset("hold holding held place placing lay laying put align line stack join joining crochet together tog facing matching through".split())
+_WORKED: Final = ("sc", "hdc", "slst", "dc")
+_FEWEST: Final = 12
+"""Stitches of an edge that pieces are joined along all round, at least; what is closed flat has fewer."""
+
+
+def laid(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence works two pieces together all round; the round is the second's then, and what lies under it is sewn to it."""
+    words = {t.word for t in tokens} | {w for t in tokens if t.kind == "key" for w in t.word.split()}
+    both = "both" in words or "two" in words or any(t.value == "thicknesses" for t in tokens)
+    at = next((k for k, t in enumerate(tokens) if t.kind == "stitch" and t.value in _WORKED), None)
+    if at is None or not both or not words & _PIECES or not words & _HELD or len(p.parts) < 1:
+        return False
+    if sum(t.kind == "stitch" and t.value in _WORKED for t in tokens) > 1 and not words & {"corner", "corners"}:
+        return False
+    draft = p.parts[-1]
+    edge = draft.edge or 0
+    near = [t for t in (*tokens[max(0, at - 1) : at], *tokens[at + 1 : at + 2]) if t.kind == "number" and isinstance(t.value, int)]
+    said = near[0].value if near else None
+    around = any(t.word in ("around", "round", "edges") or t.value == "around" for t in tokens)
+    if edge < _FEWEST or not (around or said is not None) or (said is not None and not edge <= said <= 2 * edge):
+        return False
+    span = Span(tokens[0].start, tokens[-1].end)
+    if not _alike(p, draft):
+        return False
+    if p.heading is not None and not p.heading.copies_span:
+        p.heading = None  # "Joining", "Put together"
+    if draft.copies == 1:
+        name = str(tokens[at].value)
+        worked: Item = Group((Action("sc" if name == "slst" else name, tokens[at].span),), None, tokens[at].span)
+        draft.lines.append(Line((worked,), span, True, number=draft.last + 1))
+        draft.last += 1
+        draft.off = None
+    else:
+        p.source.doubt("the round that joins these two is not drawn: they are sewn to each other, stitch to stitch", "nothing is amiss", span)
+    if said is not None and said != edge and draft.copies == 1:
+        p.source.doubt(f"these are joined by {said} stitches along an edge of {edge}: one is drawn in each", "nothing is amiss", span)
+    p.passed.append(span)
+    return True
+
+
+def _alike(p: State, draft: Draft) -> bool:
+    """Whether the part has a fellow of as many stitches that is laid on it, another part or its own second copy."""
+    return draft.copies == 2 or any(other is not draft and other.edge == draft.edge and other.last == draft.last for other in p.parts[:-1])
