@@ -194,6 +194,9 @@ def _aside(p: State, tokens: list[Token], at: int) -> int:
     return at if ends else 0
 
 
+_TWINS: Final = frozenset(("half", "side", "panel", "piece", "square", "part", "layer"))
+
+
 def named_color(p: State, tokens: list[Token]) -> bool:
     """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
     found = False
@@ -201,6 +204,8 @@ def named_color(p: State, tokens: list[Token]) -> bool:
         at = k + 1 + (tokens[k + 1].word == ")")
         if tokens[k].kind not in ("word", "key") or len(tokens[k].word) > 2 or at + 1 >= len(tokens):
             continue
+        if k and tokens[k - 1].kind == "word" and tokens[k - 1].word in _TWINS:
+            continue  # "Half B - green" heads a piece
         shade = p.palette.color(Cursor(tokens, at + 1)) if tokens[at].word in ("=", ":", "-") else None
         if shade is not None:
             p.palette.given.setdefault(tokens[k].word, shade[0])

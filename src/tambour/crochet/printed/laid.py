@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span
@@ -9,7 +10,6 @@ from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.tokens import Token
 
 if TYPE_CHECKING:
-    from tambour.crochet.printed.parts import Draft
     from tambour.crochet.printed.state import State
 
 _PIECES: Final = frozenset("pieces halves panels squares circles discs disks layers sides thicknesses fronts backs motifs both two".split())
@@ -21,22 +21,25 @@ _FEWEST: Final = 12
 
 def laid(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence works two pieces together all round; the round is the second's then, and what lies under it is sewn to it."""
-    words = {t.word for t in tokens} | {w for t in tokens if t.kind == "key" for w in t.word.split()}
-    both = "both" in words or "two" in words or any(t.value == "thicknesses" for t in tokens)
+    said_all = p.source.text.text[tokens[0].start : tokens[-1].end].lower()
+    words = set(re.findall(r"[a-z]+", said_all))
+    both = bool(words & {"both", "two"}) or any(t.value == "thicknesses" for t in tokens)
     at = next((k for k, t in enumerate(tokens) if t.kind == "stitch" and t.value in _WORKED), None)
     if at is None or not both or not words & _PIECES or not words & _HELD or len(p.parts) < 1:
         return False
-    if sum(t.kind == "stitch" and t.value in _WORKED for t in tokens) > 1 and not words & {"corner", "corners"}:
+    bracket = next((k for k, t in enumerate(tokens) if t.word == "(" and k > at), len(tokens))
+    if sum(t.kind == "stitch" and t.value in _WORKED for t in tokens[:bracket]) > 1 and not words & {"corner", "corners"}:
         return False
     draft = p.parts[-1]
-    edge = draft.edge or 0
-    near = [t for t in (*tokens[max(0, at - 1) : at], *tokens[at + 1 : at + 2]) if t.kind == "number" and isinstance(t.value, int)]
+    fellow = next((d for d in p.parts[:-1] if d.last == draft.last and d.edge), None)
+    edge = draft.edge or (fellow.edge if fellow is not None else 0) or 0  # "as for Front"
+    near = [t for t in (*tokens[max(0, at - 1) : at], *tokens[at + 1 : at + 2], *tokens[bracket + 1 : bracket + 2]) if t.kind == "number" and isinstance(t.value, int)]
     said = near[0].value if near else None
     around = any(t.word in ("around", "round", "edges") or t.value == "around" for t in tokens)
     if edge < _FEWEST or not (around or said is not None) or (said is not None and not edge <= said <= 2 * edge):
         return False
     span = Span(tokens[0].start, tokens[-1].end)
-    if not _alike(p, draft):
+    if draft.copies != 2 and (fellow is None or fellow.edge != edge):
         return False
     if p.heading is not None and not p.heading.copies_span:
         p.heading = None  # "Joining", "Put together"
@@ -53,7 +56,3 @@ def laid(p: State, tokens: list[Token]) -> bool:
     p.passed.append(span)
     return True
 
-
-def _alike(p: State, draft: Draft) -> bool:
-    """Whether the part has a fellow of as many stitches that is laid on it, another part or its own second copy."""
-    return draft.copies == 2 or any(other is not draft and other.edge == draft.edge and other.last == draft.last for other in p.parts[:-1])

@@ -118,6 +118,9 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     if c.look() is not None and not (c.mark(".", "-", "*") and c.look(1) is None):
         return None
     begin, end = name[0].start, name[-1].end
+    lettered = next((t for t in row.tokens if t.start >= end), None)
+    if lettered is not None and lettered.value == "A" and not text[end : lettered.start].strip():
+        end = lettered.end  # "Half A": the article that was left out is its letter
     words = text[max(begin, row.start) : end]
     # What was left out as a filler still belongs to the name.
     words = text[row.tokens[0].start : end] if at is None or at.start > end else words

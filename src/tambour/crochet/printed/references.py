@@ -89,6 +89,8 @@ def refers(r: Reader) -> Refers | None:
             continue
         if (c.key("color") and token.word.startswith("chang")) or (words and r.yarned()):
             break  # "as for Head using D", whose yarn is no word of a name
+        if words and token.word == "but":
+            break  # "as Front but do not cut the yarn"
         if not numbers and not found.latest and found.marks is None and _named(c, numbers):
             found = replace(found, numbers=tuple(numbers))
             continue

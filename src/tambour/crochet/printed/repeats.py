@@ -327,6 +327,12 @@ def more_times(r: Reader, found: list[Item]) -> bool:
     return True
 
 
+def _all_round(c: Cursor) -> None:
+    """Goes past "all around", "around the whole edge", behind how often a repeat is worked."""
+    while c.key("around", "total") or ((word := c.look()) is not None and word.word == "all" and c.key("around", ahead=1)):
+        c.at += 1
+
+
 def times(r: Reader, star: bool) -> Times | Literal[False]:
     """How often, by the words at the cursor: a number, or None for around, and its place; False when nothing is said."""
     c = r.c
@@ -370,13 +376,14 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
         elif star and from_star and count is not None:
             r.ask("more", span)
             count += "more" not in r.choices
-        while count is not None and c.key("around", "total"):
-            c.at += 1
+        if count is not None:
+            _all_round(c)
         return count, span
     if token is not None and c.whole() is not None:
         if c.key("more", ahead=1):
             c.at += 2
             c.skip_key("times")
+            _all_round(c)
             return checked(token.value + 1, token)
         if token.glued or (said >= 0 and not c.kind("stitch", 1)):
             c.at += 1

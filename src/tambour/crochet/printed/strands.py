@@ -72,6 +72,7 @@ def strand(r: Reader, found: list[Item], given: tuple[str, int] | None, passed: 
         return False
     stem = way.size - way.past
     _hang(r, found, way, stem)
+    _own_count(r, way)
     return True
 
 
@@ -99,7 +100,19 @@ def all_along(r: Reader, found: list[Item], name: str, many: int, place: Where) 
         c.at = begin
         return False
     _hang(r, found, way, 0)
+    _own_count(r, way)
     return True
+
+
+def _own_count(r: Reader, way: _Way) -> None:
+    """Goes past the count of the strand itself, "(48 sc)", in the middle of a round."""
+    c = r.c
+    number = c.whole(1) if c.mark(*OPEN) else None
+    if number is None or number != sum(stitch.makes * many for stitch, many in way.made):
+        return
+    end = closing(r)
+    if end - c.at <= 3 and end + 1 < len(c.tokens):
+        c.at = end + 1
 
 
 def _hang(r: Reader, found: list[Item], way: _Way, stem: int) -> None:
