@@ -189,7 +189,7 @@ def flat_parts(built: Built) -> frozenset[str]:
     graph, spots = built.graph, Spots(built)
     names = set()
     for k, part in enumerate(graph.parts):
-        counts = [r.count for r in built.rounds if r.part == k]
+        counts = [r.count for r in built.rounds if r.part == k and not r.aside]
         grows = (
             bool(counts) and counts[-1] == max(counts) and DISC * len(counts) <= counts[-1] <= 2 * DISC * len(counts)
         )

@@ -134,7 +134,7 @@ def shut(spots: Spots, nodes: Array) -> bool:
 
 def is_disc(built: Built, part: int, least: int = 4) -> bool:
     """Whether a part is a flat circle of ``least`` rounds or more: about six stitches more in every round."""
-    counts = [r.count for r in built.rounds if r.part == part]
+    counts = [r.count for r in built.rounds if r.part == part and not r.aside]
     return len(counts) >= least and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)
 
 
@@ -145,7 +145,7 @@ def _one_round(built: Built, part: int) -> bool:
 
 def _oval(built: Built, part: int) -> bool:
     """Whether a part is a leaf: a few rounds along both sides of a chain that is much longer than they are high."""
-    found = [(r.number, r.count) for r in built.rounds if r.part == part]
+    found = [(r.number, r.count) for r in built.rounds if r.part == part and not r.aside]
     (number, chain), *rounds = found or [(1, 0)]
     return number == 0 and chain >= 3 and 1 <= len(rounds) <= max(1, chain // 3) and rounds[0][1] >= 2 * chain
 

@@ -32,7 +32,7 @@ def placed(graph: StitchGraph, x: Array, heights: Array, nodes: tuple[int, int],
         off = (x[base] - x[ring].mean(0)) * [1.0, 0.0, 1.0]
         far = float(np.sqrt((off**2).sum()))
         out = off / far if far > 0.5 else np.array([0.0, 0.0, 1.0])
-        along = np.array([0.0, 1.0, 0.0]) if flat else (out + [0.0, _ONWARD, 0.0]) / math.hypot(1.0, _ONWARD)
+        along = np.array([0.0, 1.0, 0.0]) if flat else (out + np.array([0.0, _ONWARD, 0.0])) / math.hypot(1.0, _ONWARD)
         aside = np.array([0.0, 0.0, 1.0]) if flat and far <= 0.5 else np.cross([0.0, 1.0, 0.0], out)
         third = np.cross(along, aside)
         worked = [n for n in range(first, end) if into[n - a]]

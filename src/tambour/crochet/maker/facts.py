@@ -40,7 +40,11 @@ def facts(piece: Plush) -> dict[str, Any]:
             "at": f"{built.pattern.text.name}:{line}:{column}",
         }
     said = sum(w.line.stated is not None for w in built.worked)
-    checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
+    checked = (
+        f"no mistake found: {sum(not r.aside for r in built.rounds)} rounds, {said} stated counts"
+        if piece.params.check
+        else None
+    )
     return {
         **({"check": checked} if checked else {}),
         **account(built.pattern),
@@ -58,7 +62,7 @@ def facts(piece: Plush) -> dict[str, Any]:
             }
             for k, p in enumerate(g.parts)
         ],
-        "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
+        "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds if not r.aside],
         **(_aim(piece.aim) if piece.aim is not None else {}),
         "size": measured,
         "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],

@@ -199,7 +199,7 @@ class Taken:
         """How far a flat piece reaches: of one in rows from its first to its last, of a disc its middle."""
         level = record.spot.round
         if self.spots.in_rows[part]:
-            rows = sum(r.part == part and r.number > 0 for r in self.built.rounds)
+            rows = sum(r.part == part and r.number > 0 and not r.aside for r in self.built.rounds)
             low = round(level - 0.5 * rows)
             return [self.own["took from row"].format(a=low, b=low + rows - 1), self._row_one(part)]
         return [self._at(level)]

@@ -71,5 +71,8 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
                 lines.append(f"{'':<{_WIDE}}    {mark} {said}{also}")
     counts = sum(w.line.stated is not None for w in built.worked)
     gaps = f", {len(unread)} place{'s' * (len(unread) > 1)} not understood" if unread else ""
-    lines += ["", f"{len(built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts{gaps}"]
+    lines += [
+        "",
+        f"{sum(not r.aside for r in built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts{gaps}",
+    ]
     return Text("\n".join(lines) + "\n", text.name, tuple(kept))

@@ -139,7 +139,7 @@ def charts(built: Built) -> list[Chart]:
     found: list[Chart] = []
     off = set(np.flatnonzero(graph.kind == graph.kinds.index("picot")).tolist()) if "picot" in graph.kinds else set()
     for number, this in enumerate(built.rounds):
-        if built.parts[this.part].copy > 1:
+        if built.parts[this.part].copy > 1 or this.aside:
             continue
         into = {a for n in range(this.first, this.last + 1) for a in anchors[n] if not this.first <= a <= this.last}
         chart = home.get(this.below)

@@ -68,7 +68,7 @@ def fills(built: Built, part: int) -> bool:
 
     What people write is printed as they say it.
     """
-    mine = [r for r in built.rounds if r.part == part]
+    mine = [r for r in built.rounds if r.part == part and not r.aside]
     counts, ends = [r.count for r in mine], [n for r in mine for n in (r.first, r.last)]
     if built.pattern.terms or len(counts) < 3 or counts[-1] == max(counts):
         return False

@@ -194,7 +194,9 @@ class Assembly(Hosts):
             end = next((k for k in starts if k > part.span.start), len(text))
             if re.search(r"\bstuff", text[part.span.start : end]) and not made.worn:
                 continue
-            counts = [r.count for r in self.built.rounds if r.part == self.spots.parts[f"{part.name}.1"]]
+            counts = [
+                r.count for r in self.built.rounds if not r.aside and r.part == self.spots.parts[f"{part.name}.1"]
+            ]
             if made.kind == "hat" and _CAPPED.search(text[:200]):
                 continue
             disc = bool(counts) and counts[-1] == max(counts) and counts[-1] > 4 * len(counts)

@@ -62,11 +62,17 @@ def halves(built: Built) -> list[tuple[int, int]]:
 def _held(built: Built, spots: Spots, single: list[Made]) -> list[tuple[int, int]]:
     """Pairs of parts made once whose names differ in what only tells two sides apart: "Side A" and "Side B", "Half 1" and "Half 2"."""
     every = [spots.parts[f"{m.name}.1"] for m in single]
-    names = [" ".join(w for w in re.findall(r"[a-z]+", m.name.lower()) if len(w) > 1 and w not in _SIDES) for m in single]
-    of = {spots.parts[f"{s.name}.1"]: s.heading for s in built.pattern.parts if s.heading and f"{s.name}.1" in spots.parts}
+    names = [
+        " ".join(w for w in re.findall(r"[a-z]+", m.name.lower()) if len(w) > 1 and w not in _SIDES) for m in single
+    ]
+    of = {
+        spots.parts[f"{s.name}.1"]: s.heading for s in built.pattern.parts if s.heading and f"{s.name}.1" in spots.parts
+    }
     pairs = [(i, k) for i in range(len(every)) for k in range(i + 1, len(every))]
     return [
-        (every[i], every[k]) for i, k in pairs if names[i] == names[k] or (of.get(every[i]) and of[every[i]] == of.get(every[k]))
+        (every[i], every[k])
+        for i, k in pairs
+        if names[i] == names[k] or (of.get(every[i]) and of[every[i]] == of.get(every[k]))
     ]
 
 

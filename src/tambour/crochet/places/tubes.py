@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -25,7 +26,9 @@ _ROWS: Final = re.compile(
 _GATHERED: Final = re.compile(
     r"\b(?:gather(?:ed)?|cinch|pull(?:ed)? (?:it |the (?:tail|yarn|thread) )?(?:tight|closed|shut|to (?:gather|close))|draw(?:n)? (?:it )?(?:up|closed|together|tight))\b"
 )
-_BOTH: Final = re.compile(r"\b(?:both|each|other|second|opposite|bottom) ends?\b[^.\n]{0,40}|\b(?:bottom|lower) (?:edge|opening)\b")
+_BOTH: Final = re.compile(
+    r"\b(?:both|each|other|second|opposite|bottom) ends?\b[^.\n]{0,40}|\b(?:bottom|lower) (?:edge|opening)\b"
+)
 _SIDES: Final = re.compile(
     r"\b(?:sew|seam|join|whip\s?stitch)[^.\n]{0,40}\b(?:side edges|ends of (?:the )?rows|row ends)\b" + _SEWN
 )
@@ -96,4 +99,5 @@ def _gathered(rows: list[Array], x: Array, said: str) -> list[tuple[int, int]]:
         rim = [int(r[x[r].argmin() if k else x[r].argmax()]) for r in rows]
         half = len(rim) // 2
         found += [(rim[i], rim[i + half]) for i in range(half)]
+        found += list(pairwise(rim))
     return found

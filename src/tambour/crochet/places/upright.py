@@ -113,7 +113,7 @@ class Upright(Toy):
             return "side"
         if main.vessel and self.open(f"{main.name}.1") and not self.spots.in_rows[part]:
             return "end" if len(self.spots.rim(part)) else "start"
-        counts = [r.count for r in self.built.rounds if r.part == part]
+        counts = [r.count for r in self.built.rounds if r.part == part and not r.aside]
         necked = max(counts[: max(1, len(counts) // 4)], default=0) < _NECK * max(counts, default=1)
         if self._from_top(main) and (head in (None, main) or necked):
             return "start"  # what begins at its neck, and widens at once, may go on four legs

@@ -12,8 +12,12 @@ from tambour.crochet.printed.tokens import Token
 if TYPE_CHECKING:
     from tambour.crochet.printed.state import State
 
-_PIECES: Final = frozenset("pieces halves panels squares circles discs disks layers sides thicknesses fronts backs motifs both two".split())
-_HELD: Final = frozenset("hold holding held place placing lay laying put align line stack join joining crochet together tog facing matching through".split())
+_PIECES: Final = frozenset(
+    "pieces halves panels squares circles discs disks layers sides thicknesses fronts backs motifs both two".split()
+)
+_HELD: Final = frozenset(
+    "hold holding held place placing lay laying put align line stack join joining crochet together tog facing matching through".split()
+)
 _WORKED: Final = ("sc", "hdc", "slst", "dc")
 _FEWEST: Final = 12
 """Stitches of an edge that pieces are joined along all round, at least; what is closed flat has fewer."""
@@ -28,12 +32,19 @@ def laid(p: State, tokens: list[Token]) -> bool:
     if at is None or not both or not words & _PIECES or not words & _HELD or len(p.parts) < 1:
         return False
     bracket = next((k for k, t in enumerate(tokens) if t.word == "(" and k > at), len(tokens))
-    if sum(t.kind == "stitch" and t.value in _WORKED for t in tokens[:bracket]) > 1 and not words & {"corner", "corners"}:
+    if sum(t.kind == "stitch" and t.value in _WORKED for t in tokens[:bracket]) > 1 and not words & {
+        "corner",
+        "corners",
+    }:
         return False
     draft = p.parts[-1]
     fellow = next((d for d in p.parts[:-1] if d.last == draft.last and d.edge), None)
     edge = draft.edge or (fellow.edge if fellow is not None else 0) or 0  # "as for Front"
-    near = [t for t in (*tokens[max(0, at - 1) : at], *tokens[at + 1 : at + 2], *tokens[bracket + 1 : bracket + 2]) if t.kind == "number" and isinstance(t.value, int)]
+    near = [
+        t
+        for t in (*tokens[max(0, at - 1) : at], *tokens[at + 1 : at + 2], *tokens[bracket + 1 : bracket + 2])
+        if t.kind == "number" and isinstance(t.value, int)
+    ]
     said = near[0].value if near else None
     around = any(t.word in ("around", "round", "edges") or t.value == "around" for t in tokens)
     if edge < _FEWEST or not (around or said is not None) or (said is not None and not edge <= said <= 2 * edge):
@@ -50,9 +61,16 @@ def laid(p: State, tokens: list[Token]) -> bool:
         draft.last += 1
         draft.off = None
     else:
-        p.source.doubt("the round that joins these two is not drawn: they are sewn to each other, stitch to stitch", "nothing is amiss", span)
+        p.source.doubt(
+            "the round that joins these two is not drawn: they are sewn to each other, stitch to stitch",
+            "nothing is amiss",
+            span,
+        )
     if said is not None and said != edge and draft.copies == 1:
-        p.source.doubt(f"these are joined by {said} stitches along an edge of {edge}: one is drawn in each", "nothing is amiss", span)
+        p.source.doubt(
+            f"these are joined by {said} stitches along an edge of {edge}: one is drawn in each",
+            "nothing is amiss",
+            span,
+        )
     p.passed.append(span)
     return True
-

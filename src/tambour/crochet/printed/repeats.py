@@ -329,7 +329,9 @@ def more_times(r: Reader, found: list[Item]) -> bool:
 
 def _all_round(c: Cursor) -> None:
     """Goes past "all around", "around the whole edge", behind how often a repeat is worked."""
-    while c.key("around", "total") or ((word := c.look()) is not None and word.word == "all" and c.key("around", ahead=1)):
+    while c.key("around", "total") or (
+        (word := c.look()) is not None and word.word == "all" and c.key("around", ahead=1)
+    ):
         c.at += 1
 
 

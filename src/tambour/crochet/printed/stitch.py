@@ -10,7 +10,6 @@ from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import makes, multiplier
 from tambour.crochet.printed.curls import curl
-from tambour.crochet.printed.strands import all_along
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.heaped import into_ring, placed, together
 from tambour.crochet.printed.marked import taken
@@ -29,6 +28,7 @@ from tambour.crochet.printed.standing import (
     to_top,
     topped,
 )
+from tambour.crochet.printed.strands import all_along
 from tambour.crochet.printed.tokens import Token
 
 _TWO = ("inc", "dec")
@@ -91,12 +91,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if place is not None and first and (long := _own_chain(r, found)):
         place.kind, place.ordinal = "hook", long  # "ch 4, 13 dc in first ch"
     number = before or after
-    many = number.value if number is not None and isinstance(number.value, int) else 1
-    if place is not None and place.kind in ("hook", "same", "joined") and curl(r, found, name, many, place):
+    heap = number.value if number is not None and isinstance(number.value, int) else 1
+    if place is not None and place.kind in ("hook", "same", "joined") and curl(r, found, name, heap, place):
         r.before = None
         return
     aside = r.lying or r.depth or r.stars or any(makes(i) or i.name == "slst" for i in found if isinstance(i, Action))
-    if place is not None and aside and all_along(r, found, name, many, place):
+    if place is not None and aside and all_along(r, found, name, heap, place):
         r.before = None
         return
     if place is not None and place.kind == "hook" and r.lying and (r.depth or r.stars):

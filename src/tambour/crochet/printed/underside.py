@@ -1,4 +1,4 @@
-"""Printed patterns, underside: the many ways to say that a round goes on along the other side of its chain, put as one."""
+"""Printed patterns, underside: the many ways to say in which chain a row begins, and that it goes on along the other side, put as one."""
 
 from __future__ import annotations
 
@@ -10,8 +10,12 @@ _LEADS: Final = frozenset(
     "turn rotate flip spin continue continuing carry carrying go going move moving work working keep now then on along down around round up the "
     "your and to so that you can back piece it other again yarn over into in not do without turning rotating in-the-round 180 degrees clockwise".split()
 )  # fmt: skip
-_SIDES: Final = frozenset("other opposite bottom underside under lower free unused remaining back backside reverse second".split())
-_CHAINS: Final = frozenset("chain chains foundation starting beginning initial base original first side loops loop edge".split())
+_SIDES: Final = frozenset(
+    "other opposite bottom underside under lower free unused remaining back backside reverse second".split()
+)
+_CHAINS: Final = frozenset(
+    "chain chains foundation starting beginning initial base original first side loops loop edge".split()
+)
 _STOPS: Final = (",", ".", ";", ":", "-", "(", "[", "*")
 _LONGEST: Final = 22
 
@@ -21,7 +25,15 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
     made: list[Token] = []
     at = 0
     while at < len(tokens):
-        begins = not at or tokens[at - 1].word in _STOPS or tokens[at - 1].value == "and" or tokens[at - 1].kind == "number"
+        if (end := _link(tokens, at)) > at:
+            behind = len(made) > 1 and {made[-1].kind, made[-2].kind} == {"number", "stitch"} and made[-1].value != "ch"
+            where = len(made) - 2 if behind else len(made)
+            made[where:where] = [*_from_link(tokens, at, end), *_comma(tokens[end - 1], behind)]
+            at = end
+            continue
+        begins = (
+            not at or tokens[at - 1].word in _STOPS or tokens[at - 1].value == "and" or tokens[at - 1].kind == "number"
+        )
         end = _other(tokens, at) if begins else at
         if end > at:
             first, last = tokens[at], tokens[end - 1]
@@ -34,6 +46,44 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
         made.append(tokens[at])
         at += 1
     return made
+
+
+_HOOKED: Final = range(2, 7)  # which chain from the hook is the first that is worked into
+
+
+def _link(tokens: list[Token], at: int) -> int:
+    """Where words end that say in which chain a row begins: "from the 2nd ch", "beginning in 2nd chain from hook"; ``at`` for others, and
+    for those that are plain already."""
+    begun = tokens[at].value == "begin"
+    end = at + begun
+    if end + 2 >= len(tokens) or tokens[end].value not in ("from", "in", "to"):
+        return at
+    led, end = tokens[end].value, end + 1
+    if tokens[end].kind != "ordinal" or tokens[end].value not in _HOOKED or tokens[end + 1].value != "ch":
+        return at
+    end += 2
+    hooked = [t.value for t in tokens[end : end + 2]] == ["from", "hook"]
+    end += 2 * hooked
+    behind = at > 1 and {tokens[at - 1].kind, tokens[at - 2].kind} == {"number", "stitch"}
+    if begun and led == "in" and hooked and not behind:
+        return at
+    return end if led == "from" or begun else at
+
+
+def _from_link(tokens: list[Token], at: int, end: int) -> list[Token]:
+    """``beginning in 2nd ch from hook`` for those words."""
+    k = next(k for k in range(at, end) if tokens[k].kind == "ordinal")
+    first, last = tokens[at], tokens[end - 1]
+
+    def key(word: str, value: str, place: Token) -> Token:
+        return Token("key", word, place.start, place.end, value)
+
+    hook = [key("from", "from", last), key("hook", "hook", last)]
+    return [key("beginning", "begin", first), key("in", "in", first), tokens[k], tokens[k + 1], *hook]
+
+
+def _comma(last: Token, wanted: bool) -> list[Token]:
+    return [Token("mark", ",", last.end, last.end)] if wanted else []
 
 
 def _other(tokens: list[Token], at: int) -> int:
@@ -58,11 +108,32 @@ def _other(tokens: list[Token], at: int) -> int:
             chain = chain or any(w in _CHAINS and w != "back" for w in words)
         elif token.value == "foundation" or any(w in ("chain", "chains", "foundation") for w in words):
             chain = True
-        elif not (all(w in _LEADS or w in _CHAINS for w in words) or token.kind == "key" and token.value in ("in", "around", "turn", "begin", "loop", "of")):
+        elif not (
+            all(w in _LEADS or w in _CHAINS for w in words)
+            or (token.kind == "key" and token.value in ("in", "around", "turn", "begin", "loop", "of"))
+        ):
             return at
         end += 1
     if end < len(tokens) and tokens[end].kind == "ordinal":
         return at
-    moves = any(w in ("turn", "rotate", "flip", "continue", "continuing", "carry", "go", "working", "work", "keep", "spin") for t in tokens[at:end] for w in t.word.split(" "))
+    moves = any(
+        w
+        in (
+            "turn",
+            "rotate",
+            "flip",
+            "continue",
+            "continuing",
+            "carry",
+            "go",
+            "working",
+            "work",
+            "keep",
+            "spin",
+            "back",
+        )
+        for t in tokens[at:end]
+        for w in t.word.split(" ")
+    )
     plain = end - at <= 2 and any(t.value == "side" for t in tokens[at:end])
     return end if side and chain and moves and not plain else at

@@ -135,7 +135,10 @@ class Vocabulary:
         """``tokens`` with phrases made one token each, of kind "stitch" or "key", and fillers left out."""
         known = self._read.get(id(tokens))
         if known is None or known[0] is not tokens:
-            known = self._read[id(tokens)] = tokens, plainly_put(plain(self._phrased(tokens)))  # lines are looked at more than once
+            known = self._read[id(tokens)] = (
+                tokens,
+                plainly_put(plain(self._phrased(tokens))),
+            )  # lines are looked at more than once
         return list(known[1])
 
     def _phrased(self, tokens: list[Token]) -> list[Token]:

@@ -1,0 +1,99 @@
+"""Pieces that hands bring together: both sides of a chain, two halves worked together all round, rows joined to a ribbed tube."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.graph import SEWN
+from tambour.core.progress import Progress
+from tambour.crochet.graph.build import build
+from tambour.crochet.places.halves import halves, joined
+from tambour.crochet.printed.pattern import read_printed
+
+OVER = [
+    "R1: starting in 2nd ch from hook sc 7, 3 sc in last ch, continue on the other side of the chain, sc 6, inc (18)",
+    "Rnd 1: sc in 2nd ch from hook, 6 sc, 3 sc in the last ch. Turn the work and carry on along the bottom of the chain: 6 sc, 2 sc in the last ch [18]",
+    "Round 1. 7 sc from 2nd ch from hook, 3 sc in last ch, rotate piece and work along the underside of the foundation chain, sc 6, inc (18 sts)",
+    "Rnd 1: 7 sc beginning in 2nd chain from hook, 3 sc in the last chain; now working back along the free loops of the chain, 6 sc, inc (18)",
+]
+
+
+@pytest.mark.parametrize("first", OVER)
+def test_a_round_goes_on_along_the_other_side_of_a_chain_on_a_line_of_its_own(first):
+    built = build(read_printed(Text(f"FRONT (green)\nch 9\n{first}\nR2: sc around (18)\n", "half.txt")))
+    assert not [p.message for p in built.pattern.unread]
+    one = next(r for r in built.rounds if r.number == 1)
+    into = [int(built.graph.parent[n]) for n in range(one.first, one.last + 1)]
+    assert one.count == 18
+    # Down one side to the last chain, which holds three, and back along the same chains to the first.
+    assert into[:8] == sorted(into[:8], reverse=True) and into[7:10] == into[7:8] * 3 and into[10:] == sorted(into[10:])
+
+
+HALF = """ch 9
+R1: starting in 2nd ch from hook sc 7, 3 sc in last ch, continue on the other side of the chain, sc 6, inc (18)
+R2: inc, sc 6, inc x 3, sc 6, inc x 2 (24)
+R3: sc, inc, sc 6, (sc, inc) x 3, sc 6, (sc, inc) x 2 (30)
+R4: sc around (30)
+"""
+
+
+@pytest.mark.parametrize(
+    "joining",
+    [
+        "Hold both pieces with wrong sides together, and sc 30 through both layers, inserting the hook through both. Stuff before closing.",
+        "Lay the back on the front. Crochet the two halves together: 30 sc around, working through both layers. Stuff before you close.",
+        "Align both pieces, right sides out. With the green yarn, single crochet around through both pieces (30 sc), stuffing as you go.",
+    ],
+)
+def test_two_halves_are_worked_together_all_round(joining):
+    text = f"Pear\n\nFRONT (green)\n{HALF}FO\n\nBACK (brown)\n{HALF}\nJoining\n{joining}\n"
+    built = build(read_printed(Text(text, "pear.txt")))
+    assert not built.pattern.unread
+    assert [r.count for r in built.rounds if r.part == 1][-2:] == [30, 30]
+    assert halves(built) == [(0, 1)]
+    whole = joined(built)
+    seams = whole.graph.edges[whole.graph.edge_kind == SEWN]
+    assert len(seams) == 30 and set(whole.graph.part[seams].ravel().tolist()) == {0, 1}
+    last = {k: next(r for r in built.rounds if r.part == k and r.number == 4) for k in (0, 1)}
+    assert set(seams.ravel().tolist()) == {n for r in last.values() for n in range(r.first, r.last + 1)}
+
+
+def test_an_end_closed_flat_is_no_second_piece():
+    text = f"Ear\n{HALF}Flatten and sc 15 through both layers. Stuff lightly.\n"
+    built = build(read_printed(Text(text, "ear.txt")))
+    assert not halves(built) and len(built.graph.parts) == 1
+
+
+ROWS = "Stem (green)\nCh 13\nRow 1: sc in 2nd ch from hook and in each ch across, turn (12)\nRows 2-20: ch 1, sc in blo across, turn (12)\n"
+
+
+@pytest.mark.parametrize(
+    ("seam", "ends"),
+    [
+        ("Join the last row to row 1 with sl sts through both edges to make a tube. Weave the tail through the row ends at the top and pull tight. Stuff.", 1),
+        ("Fold the piece so that row 20 meets row 1 and slip stitch the long edges together. Stuff firmly.", 0),
+        ("With right sides together, whip stitch the last row to the foundation chain to form a cylinder. Gather the top edge. Stuff and gather the other end too.", 2),
+    ],
+)  # fmt: skip
+def test_rows_are_joined_to_a_ribbed_tube_and_gathered(seam, ends):
+    built = build(read_printed(Text(ROWS + seam + "\n", "stem.txt")))
+    pairs = built.sewn.tolist()
+    number = built.graph.round
+    across = [pair for pair in pairs if abs(int(number[pair[0]]) - int(number[pair[1]])) in (19, 20)]
+    assert 12 <= len(across) <= 13 and len(pairs) == 13 + 30 * ends
+
+
+def test_the_end_of_a_tube_that_is_gathered_lies_together():
+    from tambour.crochet.params import CrochetParams
+    from tambour.crochet.plush import make
+
+    wide = []
+    for gathered in ("", " Run the tail through the row ends at the top and pull tight."):
+        seam = f"Join the last row to row 1 with sl sts to make a tube.{gathered} Stuff.\n"
+        piece = make(Text(ROWS + seam, "stem.txt"), CrochetParams(detail="low"), Progress())
+        x = piece.positions / piece.built.graph.stitch_width
+        rows = [np.arange(r.first, r.last + 1) for r in piece.built.rounds if r.count >= 12]
+        ends = [r[[0, -1]] for r in rows]
+        rims = [np.array([e[k if n % 2 else 1 - k] for n, e in enumerate(ends)]) for k in (0, 1)]
+        wide.append(sorted(float(np.linalg.norm(x[rim] - x[rim].mean(0), axis=1).mean()) for rim in rims))
+    assert wide[1][0] < 0.7 * wide[0][0] and wide[1][1] > 0.7 * wide[0][1], wide
