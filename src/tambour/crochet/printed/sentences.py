@@ -10,7 +10,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import STUFFING
-from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.language.tree import Action, Group, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.beyond import (
     again_made,
@@ -305,7 +305,12 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     ended = (
         draft is not None and draft.off is not None and anew and not body.curled
     )  # "Fasten off" stands before another part
-    if starts and (draft is None or p.heading is not None or ended):
+    if body.curled and draft is not None and _rooted_in(draft, body):
+        p.heading, draft.off = (
+            None,
+            None,
+        )  # "Tentacles: (ch 30, …, sl st in next st) 8 times": they hang off the round at the hook
+    elif starts and (draft is None or p.heading is not None or ended):
         p.begin(True, span)
     elif draft is not None and p.lead:
         draft.lines += p.lead
@@ -394,3 +399,13 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
                 p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
         return True
     return False
+
+
+def _rooted_in(draft: Draft, body: Body) -> bool:
+    """Whether strands are worked on the round at the hook: between them stitches of it are taken, and no more than it has."""
+    if draft.off is not None or not draft.edge or draft.chain is not None:
+        return False
+    flat_out = [i for item in body.items for i in (item.items if isinstance(item, Group) else (item,))]
+    return any(isinstance(i, Action) and i.name in ("slst", "skip", "sc", "hdc") for i in flat_out) and any(
+        isinstance(i, Action) and i.name.startswith("curl{") for i in flat_out
+    )

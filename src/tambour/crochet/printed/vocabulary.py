@@ -8,6 +8,8 @@ from functools import lru_cache
 from typing import Any, Final
 
 from tambour.crochet.language.stitches import STITCHES, standard
+from tambour.crochet.printed.corners import grouped
+from tambour.crochet.printed.hooks import unsized
 from tambour.crochet.printed.shorthand import plain
 from tambour.crochet.printed.tokens import Token, rows
 from tambour.crochet.printed.underside import plainly_put
@@ -137,7 +139,7 @@ class Vocabulary:
         if known is None or known[0] is not tokens:
             known = self._read[id(tokens)] = (
                 tokens,
-                plainly_put(plain(self._phrased(tokens))),
+                plainly_put(grouped(unsized(plain(self._phrased(tokens))))),
             )  # lines are looked at more than once
         return list(known[1])
 
