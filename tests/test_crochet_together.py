@@ -97,3 +97,52 @@ def test_the_end_of_a_tube_that_is_gathered_lies_together():
         rims = [np.array([e[k if n % 2 else 1 - k] for n, e in enumerate(ends)]) for k in (0, 1)]
         wide.append(sorted(float(np.linalg.norm(x[rim] - x[rim].mean(0), axis=1).mean()) for rim in rims))
     assert wide[1][0] < 0.7 * wide[0][0] and wide[1][1] > 0.7 * wide[0][1], wide
+
+
+@pytest.mark.parametrize(
+    ("words", "loops"),
+    [
+        ("Working in back loops only, 1 sc in each sc around.", "blo"),
+        ("Ch 1. Working in front loops only, 1 sc in each st around. Join.", "flo"),
+        ("Ch 1, turn and work in both loops, sc in each st around", "bl"),
+    ],
+)
+def test_loops_that_are_worked_into_are_no_other_side(words, loops):
+    built = build(
+        read_printed(Text(f"Foot\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\nRnd 3: {words}\n", "foot.txt"))
+    )
+    assert built.counts.get(loops) == 1 and not built.pattern.unread
+
+
+@pytest.mark.parametrize(
+    "square",
+    [
+        "Rnd 2: sl st to corner, ch 3, 2 dc, ch 2, 3 dc in same sp, ch 1, *3 dc, ch 2, 3 dc in next ch-2 sp, ch 1* 3 times, join.",
+        "Rnd 2: sl st to corner sp, (ch 3, 2 dc, ch 2, 3 dc) in same corner, ch 1, [3 dc, ch 2, 3 dc in next corner, ch 1] 3 times, join.",
+        "Rnd 2: sl st in next ch-2 sp, (ch 3, 2 dc, ch 2, 3 dc) in same sp, ch 1, *(3 dc, ch 2, 3 dc) in next corner sp, ch 1; rep from * 2 more times, join.",
+    ],
+)  # fmt: skip
+def test_a_corner_without_a_bracket_goes_into_one_space(square):
+    text = (
+        "Square (make 2)\nUsing 4 mm hook and Mustard, ch 4 and join with sl st to make a ring.\n"
+        f"Rnd 1: Ch 3 (counts as dc), 2 dc into ring, ch 2, *3 dc into ring, ch 2* 3 times, sl st to top of ch 3.\n{square}\n"
+    )
+    built = build(read_printed(Text(text, "square.txt")))
+    assert not built.pattern.unread and built.counts.get("sp{3 dc, 2 ch, 3 dc}") == 6, dict(built.counts)
+
+
+@pytest.mark.parametrize(
+    "heading",
+    ["With a 4 mm hook and yellow, ch 4, join to form a ring.", "Using 4 mm hook and Mustard, ch 4 and join with sl st to make a ring.", "With yellow and a 4mm hook, ch 4, sl st in first ch to form a ring."],
+)  # fmt: skip
+def test_a_hook_said_by_the_way_hides_no_foundation(heading):
+    text = f"Motif\n{heading}\nRnd 1: Ch 3 (counts as dc), 11 dc into ring, sl st to top of ch 3. (12)\n"
+    pattern = read_printed(Text(text, "motif.txt"))
+    assert not pattern.unread and [r.count for r in build(pattern).rounds][-1] == 12
+
+
+def test_all_of_a_first_round_goes_into_one_chain():
+    text = "Motif\nWith A, ch 4.\n1st rnd: 9 dc in 4th ch from hook (counts as 10 dc). Join.\n2nd rnd: Ch 1. 1 sc in each dc around. Join. 10 sc.\n"
+    built = build(read_printed(Text(text, "motif.txt")))
+    first = next(r for r in built.rounds if r.number == 1)
+    assert first.count == 10 and len({int(built.graph.parent[n]) for n in range(first.first, first.last + 1)}) == 1

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import into_one
+from tambour.crochet.language.stitches import STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import STARTS, works
@@ -122,6 +122,9 @@ def _chained(
     row = head is not None and head.row
     if draft.looped:
         body.hook = 0  # "ch 70, join to form a ring. Round 1: Sc in 2nd ch from hook …": all of them are worked into
+    if stood := _stood(source, items, first, 0 if row else body.hook, chain.times):
+        draft.lines[at] = replace(base, items=tuple(before))
+        return stood
     one = body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row
     if one and kind is not None and isinstance(first, Action) and kind.makes * first.times >= _RING:
         draft.lines[at] = replace(base, items=tuple(before))
@@ -141,3 +144,30 @@ def _chained(
     if draft.looped and any(isinstance(i, Action) and i.name == "join" for i in draft.lines[at].items):
         return items  # "ch 12, join. Round 1: Ch 1, …": the chain lifts the yarn as above any joined round
     return [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "ch")]
+
+
+def _stood(source: Source, items: list[Item], first: Item, hook: int, chains: int) -> list[Item]:
+    """``items`` with a ring in place of what all goes into the first of so many ``chains``, the others of which stand for a stitch: "ch 4. 9 dc
+    in 4th ch from hook (counts as 10 dc)"; empty where it is not so."""
+    at = items.index(first)
+    second = items[at + 1] if at + 1 < len(items) else None
+    if (
+        not isinstance(first, Action)
+        or first.name not in STANDING
+        or hook + 1 != chains
+        or not isinstance(second, Action)
+    ):
+        return []
+    kind = source.stitches.get(second.name)
+    if kind is None or kind.takes != 1 or kind.makes * second.times < _RING or any(works(i) for i in items[at + 2 :]):
+        return []
+    held = [(source.stitches[name], k) for name, k in kind.inner] or [(_each(source, kind), kind.makes * second.times)]
+    made = into_one([(source.stitches[first.name], 1), *held], "ring")
+    source.stitches.setdefault(made.name, made)
+    return [*items[:at], Action(made.name, first.span), *items[at + 2 :]]
+
+
+def _each(source: Source, kind: Stitch) -> Stitch:
+    """The stitch that an increase is made of."""
+    over = next(move.kind for move in kind.moves if move.kind)
+    return source.stitches[over] if kind.makes > 1 and over in source.stitches else kind

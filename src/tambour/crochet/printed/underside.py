@@ -11,11 +11,12 @@ _LEADS: Final = frozenset(
     "your and to so that you can back piece it other again yarn over into in not do without turning rotating in-the-round 180 degrees clockwise".split()
 )  # fmt: skip
 _SIDES: Final = frozenset(
-    "other opposite bottom underside under lower free unused remaining back backside reverse second".split()
+    "other opposite bottom underside under lower free unused remaining backside reverse second".split()
 )
 _CHAINS: Final = frozenset(
     "chain chains foundation starting beginning initial base original first side loops loop edge".split()
 )
+_LOOPS: Final = frozenset(("back loops", "front loops", "blo", "flo", "bumps"))
 _STOPS: Final = (",", ".", ";", ":", "-", "(", "[", "*")
 _LONGEST: Final = 22
 
@@ -25,6 +26,16 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
     made: list[Token] = []
     at = 0
     while at < len(tokens):
+        if (
+            at > 1
+            and tokens[at].value == "begin"
+            and tokens[at - 1].value == "ch"
+            and tokens[at - 2].value in ("next", "each", "last")
+        ):
+            chained = at + 1 < len(tokens) and tokens[at + 1].value == "ch"
+            if chained and not (at + 2 < len(tokens) and tokens[at + 2].word == "-"):
+                at += 2  # "in next ch of beginning ch"
+                continue
         if (end := _link(tokens, at)) > at:
             behind = len(made) > 1 and {made[-1].kind, made[-2].kind} == {"number", "stitch"} and made[-1].value != "ch"
             where = len(made) - 2 if behind else len(made)
@@ -103,9 +114,11 @@ def _other(tokens: list[Token], at: int) -> int:
             if token.value != "ch":
                 break
             chain = True
+        elif token.kind == "key" and token.value in _LOOPS:
+            return at  # "Working in back loops only"
         elif any(w in _SIDES for w in words):
             side = True
-            chain = chain or any(w in _CHAINS and w != "back" for w in words)
+            chain = chain or "chain" in words or "ch" in words or "foundation" in words
         elif token.value == "foundation" or any(w in ("chain", "chains", "foundation") for w in words):
             chain = True
         elif not (
