@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import STITCHES
+from tambour.crochet.places.face import WORDS as MOTIFS
 from tambour.crochet.words.phrases import ITEMS, LEANS, TURN, WAYS, Phrases, number
 from tambour.crochet.words.table import SENTENCES, TERMS, Tables
 
@@ -253,6 +254,41 @@ def test_a_seam_in_a_persons_words_is_read_back_as_the_same(code, tilt, way, tur
     assert phrases.sewn(replace(one, across=50.0), "there", ways) is None  # there are no words for it
 
 
+_SIDES = [f"mid {side}" for side in ("front", "back", "top", "under")]
+_NAMED = {
+    "book.py: book.own[name]": ["height", "width", "length", "depth"],
+    "charted.py: book.own[_LEFT.get(key, key) if mirrored else key]": [
+        *("chart rounds", "chart rounds left", "chart rows", "chart patch")
+    ],
+    "ofmodel.py: self.page[side]": _SIDES,
+    "ofmodel.py: self.page[key.replace(' of', ' one') if one else key]": [
+        "left of",
+        "right of",
+        "left one",
+        "right one",
+    ],
+    "begin.py: own[size.how]": ["stuffed", "stuffed, sitting", "stuffed, standing", "laid flat", "as it lies"],
+    "begin.py: own[key]": ["leftover", "skein", "skeins", "spiral", "turning text", "change text"],
+    "begin.py: own[n]": ["needle", "ends", "marker", "scissors"],
+    "placed.py: page[many]": ["put eyes", "put eye"],
+    "placed.py: page[key]": [
+        "embroidered eyes",
+        "lines",
+        "dots",
+        "v nose",
+        "y nose",
+        "closed eyes",
+        *(motif for motif in MOTIFS if motif != "eyes"),
+    ],
+    "assembly.py: book.own[where]": ["back", "side", "above", "below"],
+    "assembly.py: book.own[key]": ["sewn flat", "sewn odd"],
+    "taken.py: self.own[key]": ["side under", "side top", "side back", "side front"],
+    **dict.fromkeys(("diagram.py: own[-1:]", "diagram.py: own[0]", "written.py: own[number]"), ()),  # no words
+    **dict.fromkeys(("size.py: own[~np.isin(graph.peculiarity[own], (ROOT, TIP))]", "taken.py: own[near, 1]"), ()),
+}
+"""What is asked for by a name, and which words that may be."""
+
+
 def test_every_word_that_the_pages_ask_for_is_in_every_language(root):
     """A booklet died of one that no table had; what a table lacks that another has, is told when it is read (above)."""
     asked, places = {}, root / "src" / "tambour" / "crochet"
@@ -260,7 +296,9 @@ def test_every_word_that_the_pages_ask_for_is_in_every_language(root):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             of = node.value if isinstance(node, ast.Subscript) else None
             if getattr(of, "attr", getattr(of, "id", "")) in ("own", "page"):
-                asked |= dict.fromkeys(_keys(node.slice), f"{path.name}:{node.lineno}")
+                keys = [*_keys(node.slice)] or _NAMED.get(f"{path.name}: {ast.unparse(node)}")
+                assert keys is not None, (path.name, node.lineno, "say in _NAMED which words this may ask for")
+                asked |= dict.fromkeys(keys, f"{path.name}:{node.lineno}")
     asked |= {
         f"a {re.escape(kind.__name__.lower())}": "assembly.py, a step's heading"
         for kind in Finish.__args__

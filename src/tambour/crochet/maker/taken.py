@@ -10,10 +10,11 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import SEWN
-from tambour.crochet.finish.placing import frames
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot
+from tambour.crochet.maker.drawn import sized
+from tambour.crochet.maker.named import rounds_named
 from tambour.geometry.near import nearest
 
 if TYPE_CHECKING:
@@ -30,20 +31,6 @@ _TOUCHES: Final = 1.2
 """Parts that come so near to one another touch, in stitches."""
 _LEVEL: Final = 2
 """An edge over no more rounds than this runs along a round."""
-_FACES: Final = (
-    "smile",
-    "mouth",
-    "nose",
-    "v nose",
-    "y nose",
-    "brows",
-    "cheeks",
-    "lashes",
-    "navel",
-    "closed eyes",
-    "eyes",
-    "claws",
-)
 
 
 def left_open(piece: Plush) -> dict[str, object]:
@@ -89,7 +76,7 @@ class Taken:
             made |= dict.fromkeys(self._said(self._part([r for r in placed if self._base(r) == base])))
         drawn = [r for r in records if isinstance(r, Embroidery)]
         for motif in dict.fromkeys((r.motif, r.spots[0].part) for r in drawn):
-            said = self._drawn([r for r in drawn if (r.motif, r.spots[0].part) == motif])
+            said = sized(self, [r for r in drawn if (r.motif, r.spots[0].part) == motif])
             made |= dict.fromkeys(self._said(said, self._called(motif[0]) if len({m.motif for m in drawn}) > 1 else ""))
         return list(made)
 
@@ -97,9 +84,9 @@ class Taken:
         """How many stitches from the middle each of two eyes is; "" where they are not two."""
         if len(eyes) != 2:
             return ""
-        off = [float(int(np.mean([abs(self._off(e.spot)[0]) for e in eyes]) + 0.01))]
-        count = self._off(eyes[0].spot)[1]
-        return "".join(self._said([self.own["each"].format(what=self._from_middle(eyes[0].spot.part, off, count))]))
+        off = [float(int(np.mean([abs(self.off(e.spot)[0]) for e in eyes]) + 0.01))]
+        count = self.off(eyes[0].spot)[1]
+        return "".join(self._said([self.own["each"].format(what=self.from_middle(eyes[0].spot.part, off, count))]))
 
     def end(self, part: int) -> str:
         """How the end of a stuffed part lies that is sewn shut; "" where it stays open, or something is sewn to it."""
@@ -156,16 +143,24 @@ class Taken:
         low = round(float(np.mean([s[:, 0].min() for s in seams])))
         high = round(float(np.mean([s[:, 0].max() for s in seams])))
         turn = min(first.across % 180.0, -first.across % 180.0)
+        hers = self._rounds(first)
+        if hers and hers[1] - hers[0] > 1:
+            low, high = hers  # the numbers are those that she says
         if end.ring:
             said = [
-                own["took ring"].format(a=low, b=high) if low < high else own["took round"].format(n=low),
+                self._at(sum(hers) / 2.0)
+                if hers and hers[1] - hers[0] <= 1
+                else own["took ring"].format(a=low, b=high)
+                if low < high
+                else own["took round"].format(n=low),
                 self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round))),
             ]
             near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
             if len(alike) == 2 and np.isfinite(near).all():
                 said.append(own["took gap"].format(n=round(float(sum(near)))))
         elif high - low <= _LEVEL and turn < 60.0:
-            said = self._along(first, seams, round((low + high) / 2), len(alike))
+            level = round((low + high) / 2)
+            said = self._along(first, seams, level, len(alike), min(hers, key=lambda n: abs(n - level), default=level))
         else:
             said = self._across(alike, low, high, len(end.nodes) - len(end.pinched))
         return [*said, *self._points(alike), *self._rests(alike, host)]
@@ -174,6 +169,9 @@ class Taken:
         """What parts that hang down lie on at last, other than what they are sewn to."""
         piece, graph = self.piece, self.built.graph
         names = dict[str, None]()
+        finish = self.built.pattern.finish
+        since = max((k for k, f in enumerate(finish) if f in alike), default=0)
+        hanging = {self.spots.parts[f.part] for f in finish[since + 1 :] if isinstance(f, Placed)}  # not there yet
         for record in alike:
             mine = graph.parts[self.spots.parts[record.part]]
             own = piece.positions[mine.start : mine.end]
@@ -181,6 +179,7 @@ class Taken:
                 section = self.built.parts[k].section
                 if (
                     k == host
+                    or k in hanging
                     or other.end <= other.start
                     or section == self.built.parts[self.spots.parts[record.part]].section
                 ):
@@ -193,7 +192,7 @@ class Taken:
         return [self.own["took rests"].format(part=name) for name in names]
 
     def _mean_off(self, alike: list[Placed]) -> float:
-        return float(np.mean([abs(self._off(r.spot)[0]) for r in alike]))
+        return float(np.mean([abs(self.off(r.spot)[0]) for r in alike]))
 
     def _laid(self, record: Placed, part: int) -> list[str]:
         """How far a flat piece reaches: of one in rows from its first to its last, of a disc its middle."""
@@ -201,7 +200,10 @@ class Taken:
         if self.spots.in_rows[part]:
             rows = sum(r.part == part and r.number > 0 and not r.aside for r in self.built.rounds)
             low = round(level - 0.5 * rows)
-            return [self.own["took from row"].format(a=low, b=low + rows - 1), self._row_one(part)]
+            high, hers = low + rows - 1, self._rounds(record)
+            if hers and hers[1] - hers[0] > 1:
+                low, high = hers
+            return [self.own["took from row"].format(a=low, b=high), self._row_one(part)]
         return [self._at(level)]
 
     def _at(self, level: float) -> str:
@@ -211,12 +213,15 @@ class Taken:
         between = self.own["took between"].format(a=int(level), b=int(level) + 1)
         return self.own["its middle"].format(what=between)
 
-    def _along(self, first: Placed, seams: list[Array], level: int, copies: int) -> list[str]:
-        """Of an edge along a round the stitches from the middle, the first of them beside it; how many are between two."""
+    def _along(self, first: Placed, seams: list[Array], level: int, copies: int, named: int) -> list[str]:
+        """Of an edge along a round the stitches from the middle, the first of them beside it; how many are between two.
+
+        named : the number that the round has in her sentence
+        """
         count = self._count(self.spots.parts[first.spot.part], level)
         lone = any(s[:, 1].min() * s[:, 1].max() < 0.0 and abs(s[:, 1]).max() < count / 4 for s in seams)
         if lone or not count:
-            return [self.own["took round"].format(n=level), self._middle(first, abs(self._off(first.spot)[0]), count)]
+            return [self.own["took round"].format(n=named), self._middle(first, abs(self.off(first.spot)[0]), count)]
         far = float(np.mean([abs(s[:, 1]).mean() for s in seams])) > count / 4
         offs = [count / 2 - abs(s[:, 1]) if far else abs(s[:, 1]) for s in seams]
         a, b = (max(1, round(float(np.mean([end(o) for o in offs])) + 0.49)) for end in (np.min, np.max))
@@ -225,7 +230,7 @@ class Taken:
             if self._lies(first.spot.part)
             else ("side back" if far else "side front")
         )
-        said = [self.own["took edge"].format(n=level, a=a, b=b, side=self.own[key])]
+        said = [self.own["took edge"].format(n=named, a=a, b=b, side=self.own[key])]
         return [*said, *([self.own["took gap"].format(n=2 * (a - 1))] if copies == 2 and a > 1 else [])]
 
     def _across(self, alike: list[Placed], low: int, high: int, stitches: int) -> list[str]:
@@ -246,6 +251,9 @@ class Taken:
         if len(alike) == 2 and apart is not None and abs(int(apart[1]) - 2 * low) <= 1.5:
             said.append(own["took crown"].format(n=apart[1]))
         return said
+
+    def _rounds(self, record: Placed) -> tuple[int, ...]:
+        return rounds_named(self._words(record), self.built.pattern.terms)
 
     def _words(self, record: Placed) -> str:
         return self.built.pattern.text.text[record.span.start : record.span.end]
@@ -303,7 +311,7 @@ class Taken:
 
     # -- places on a round ------------------------------------------------------------------------------------------
 
-    def _off(self, spot: Spot) -> tuple[float, int]:
+    def off(self, spot: Spot) -> tuple[float, int]:
         """How many stitches a spot is from the middle of the front, and how many its round has."""
         part = self.spots.parts[spot.part]
         k = self.spots.round_at(part, int(spot.round))
@@ -331,10 +339,10 @@ class Taken:
             return self.own["took under" if lies else "behind"]
         if abs(off - count / 4) <= _SIDE * count:
             return self.own["at side"]
-        said = self._from_middle(record.spot.part, [off], count)
+        said = self.from_middle(record.spot.part, [off], count)
         return said if plain else self.own["its middle"].format(what=said)
 
-    def _from_middle(self, part: str, offs: Sequence[float], count: int) -> str:
+    def from_middle(self, part: str, offs: Sequence[float], count: int) -> str:
         """So many stitches, or from so many to so many, from the nearer middle: of front or back, of top or underside."""
         far = float(np.mean(offs)) > count / 4 + 0.5
         found = sorted(round(count / 2 - o if far else o) for o in offs)
@@ -342,42 +350,3 @@ class Taken:
         return self.own[
             ("off under" if far else "off top") if self._lies(part) else ("off back" if far else "off front")
         ].format(n=n)
-
-    # -- faces ------------------------------------------------------------------------------------------------------
-
-    def _drawn(self, alike: list[Embroidery]) -> list[str]:
-        """The pieces of the sentence of what is embroidered of one kind on one part."""
-        own, first = self.own, alike[0]
-        part = self.spots.parts[first.spots[0].part]
-        rows = bool(self.spots.in_rows[part])
-        known = [(r, s) for r in alike for s in r.spots]
-        points = frames(self.spots, self.piece.positions, [s for _, s in known]).points
-        rounds = [s.round for _, s in known]
-        a, b = max(1, int(np.floor(min(rounds) + 0.25))), max(1, int(np.ceil(max(rounds) - 0.25)))
-        if len(known) == 1:
-            stitch = first.spots[0].stitch
-            if stitch is None:
-                return []
-            return [own["took knot row" if rows else "took knot"].format(a=round(rounds[0]), b=round(stitch))]
-        if max(rounds) - min(rounds) < 1.0:
-            a = b = max(1, round(float(np.mean(rounds)) - 0.01))
-        over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)
-        if len(self.built.graph.parts) > 1:
-            over += f" ({self.built.pattern.parts[self.built.parts[part].section].name})"
-        long = [float(np.sqrt(((p[-1] - p[0]) ** 2).sum())) for p in self._each(alike, points)]
-        if first.motif == "whiskers":
-            begins = [abs(self._off(r.spots[0])[0]) for r in alike]
-            from_ = self._from_middle(first.spots[0].part, [float(np.mean(begins))], self._off(first.spots[0])[1])
-            return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
-        if first.motif not in _FACES or len(alike) > 1:
-            return [over]
-        wide, high = (max(1, round(float(v))) for v in np.ptp(points, axis=0)[:2])
-        return [own["took size" if high > 2 else "took wide"].format(w=wide, h=high), over]
-
-    @staticmethod
-    def _each(alike: list[Embroidery], points: Array) -> list[Array]:
-        made, at = [], 0
-        for record in alike:
-            made.append(points[at : at + len(record.spots)])
-            at += len(record.spots)
-        return made

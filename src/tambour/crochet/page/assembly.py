@@ -14,8 +14,8 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.angle import angle, called, steep
-from tambour.crochet.page.begin import paragraph
-from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
+from tambour.crochet.page.begin import paragraph, photo
+from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
 from tambour.crochet.page.flow import Atom, Chunk
 from tambour.crochet.page.pictures import Step, from_side, lies, of_step, steps
 from tambour.crochet.page.type import BODY, LEAD, SMALL, SOFT
@@ -64,17 +64,38 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
 
         # Long lists of points are set smaller.
         size = BODY if max(map(len, said), default=0) < 160 else SMALL
-        lines = [
-            atom
-            for k, sentence in enumerate(said)
-            for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)
-        ]
-        for note in _held(book, step):
-            lines += paragraph(note, width, SMALL, SOFT, 0.9)
+        lines: list[Atom] = []
+        for sentence, notes in zip(said, _under(book, step, said)):
+            lines += paragraph(sentence, width, size, None, 0.9 if lines else 0.0)
+            for note in notes:
+                lines += paragraph(note, width, SMALL, SOFT, 0.9)
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
     if any(step.fresh for step in found):
         chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
-    return chunks
+    return _with_hers(book, found, chunks)
+
+
+def _with_hers(book: Book, found: list[Step], chunks: list[Chunk]) -> list[Chunk]:
+    """The steps with her photos of the assembly, each before the step that it stands before in her text."""
+    if book.hers is None:
+        return chunks
+    width, finish, made = book.frame.width, book.piece.built.pattern.finish, list[Chunk]()
+    waiting = [(at, one) for at, one in book.photos[1:] if at >= book.hers.assembly]
+    for step, chunk in zip(found, chunks):
+        last = max((finish[n].span.start for n in step.records), default=0)
+        made += [Chunk([photo(cropped(one, width / OWN), width, OWN)]) for at, one in waiting if at <= last]
+        waiting = [one for one in waiting if one[0] > last]
+        made.append(chunk)
+    return [*made, *(Chunk([photo(cropped(one, width / OWN), width, OWN)]) for _, one in waiting)]
+
+
+def _under(book: Book, step: Step, said: list[str]) -> list[list[str]]:
+    """What is noted under each sentence of a step: of several of hers each its own, else all under the last."""
+    finish = book.piece.built.pattern.finish
+    of = [[n for n in step.records if (w := book.words_of(finish[n])) and s.startswith(w.rstrip("."))] for s in said]
+    if sum(map(bool, of)) < 2 or {n for one in of for n in one} != set(step.records):
+        return [*([] for _ in said[1:]), _held(book, step)]
+    return [_held(book, replace(step, records=tuple(one))) if one else [] for one in of]
 
 
 def _held(book: Book, step: Step) -> list[str]:
@@ -100,7 +121,10 @@ def _held(book: Book, step: Step) -> list[str]:
         elif open_ and len(end.pinched):
             key = "sewn odd" if len(end.nodes) % 2 else "sewn flat"
             made[book.own[key].format(n=len(end.pinched))] = None
-    return [*made, *book.taken([r for r in records if book.words_of(r)])]  # of what is ours all is said already
+    return [
+        *made,
+        *map(book.called, book.taken([r for r in records if book.words_of(r)])),
+    ]  # of what is ours all is said already
 
 
 def _closed(book: Book, record: Placed) -> bool:
@@ -121,7 +145,7 @@ def _names(book: Book, step: Step) -> str:
         kinds = dict.fromkeys(type(built.pattern.finish[n]).__name__.lower() for n in step.records)
         return ", ".join(book.own[f"a {kind}"] for kind in kinds)
     found = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in step.fresh)
-    return ", ".join(name for name in found if name)
+    return book.called(", ".join(name for name in found if name))
 
 
 def _by_marks(book: Book, found: list[Step]) -> list[list[str]] | None:
@@ -175,11 +199,11 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
                 made[i] += book.hers.ahead.get(place, []) if book.hers is not None else []
                 made[i].append(" ".join([words, *more]))
         ours = [r for r in records if r not in own]
-        made[i] += book.spoken(ours)
+        made[i] += map(book.called, book.spoken(ours))
         if ours and book.hers is not None:
             made[i].append(book.own["guess"])
         if not made[i]:
-            made[i] = book.spoken(records)
+            made[i] = [*map(book.called, book.spoken(records))]
     return made
 
 

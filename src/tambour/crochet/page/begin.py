@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from tambour.core.picture import Picture
 from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.language.finishes import Placed
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
-from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
+from tambour.crochet.page.book import OWN, Book, cropped, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
 from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.page.written import sections
@@ -76,6 +77,11 @@ def paragraph(
     return made
 
 
+def photo(picture: Picture, width: float, high: float) -> Atom:
+    """A picture in the middle of a column."""
+    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high, photo=True))
+
+
 def pair(left: str, right: str, width: float, share: float = 0.45, bold: bool = True) -> Atom:
     """A row of a table of two columns."""
     a = wrap(left, BODY, width * share - 2.0, bold)
@@ -99,6 +105,10 @@ def begin(book: Book) -> None:
             atom for k, words in enumerate(book.hers.intro) for atom in paragraph(words, width, space=1.4 if k else 0.0)
         ]
         chunks += together(heading(book, book.title, width), told, book.title)
+    starts = [section.span.start for section in book.piece.built.pattern.parts]
+    for at, picture in book.photos[1:]:
+        if at < min(starts, default=0):
+            chunks.append(Chunk([photo(cropped(picture, width / OWN), width, OWN)], book.title))
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
 
@@ -182,6 +192,7 @@ def _of_hers(book: Book) -> list[tuple[str, str]]:
     ours = {word.lower() for word, _ in book.said.abbreviations}
     steps = [words for record in book.piece.built.pattern.finish if (words := book.words_of(record))]
     lists = [*book.hers.materials, book.said.size, book.said.gauge]
+    lists += [row.words for block in book.said.blocks for row in block.lines]  # some of them are hers
     whole = " ".join([*book.hers.sentences, *steps, *book.hers.intro, *lists])
     known = (
         {said: said for said in book.hers.terms} | {said: said for said in _USUAL} if book.code in ("us", "uk") else {}

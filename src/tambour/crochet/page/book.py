@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,7 @@ from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.ofmodel import noted, of_model, spoken
 from tambour.crochet.page.placed import Spoken
-from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, wrap
+from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, printable, wrap
 from tambour.crochet.page.wording import Words
 from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import PAPERS, Page
@@ -32,9 +33,13 @@ if TYPE_CHECKING:
 MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
 
 
+OWN = 52.0
+"""How high the designer's own photos are, mm."""
 LARGE = 1.4
 """How much larger large print is."""
 WHITE: RGB = (255, 255, 255)
+_LONG = 1.4
+"""What is so much deeper than high is long: a whale on its belly."""
 _LEAST = 200
 """Pixels of a photo's shorter side; what is smaller is an ornament."""
 
@@ -90,11 +95,12 @@ class Book:
         self.hers = hers(piece.built.pattern, self.code)
         self.spoken = spoken(piece, self.said) if of_model(piece) else Spoken(piece.built, self.said.terms)
         self.own = self.said.terms.page
+        self.headed = _headed(piece, self.said)
         self.taken = Taken(piece, self.own)
         stated = piece.built.pattern.stated
         stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
-        self.title = " ".join(title.split()) or self.own["pattern"]
+        self.title = printable(" ".join(title.split())) or self.own["pattern"]
         said = self.hers.designer if self.hers is not None else ""
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0] or said).split())
         self.sized = self.said.size or (self.hers.size if self.hers is not None else "")
@@ -107,6 +113,12 @@ class Book:
         self.pages: list[Page] = []
         self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
         self.accent = _readable(_main(piece))
+
+    def called(self, said: str) -> str:
+        """What is ours, with the parts as they are headed: "The Bear's Head" for The Bear s Head, "Part 3" for part_3."""
+        for name, heading in self.headed.items():
+            said = re.sub(rf"(?<!\w){re.escape(name)}(?!\w)", heading.replace("\\", ""), said)
+        return said
 
     def words_of(self, record: Finish) -> str:
         """The designer's own sentence that a finishing record came of; "" where it is ours."""
@@ -153,6 +165,13 @@ class Book:
         return sheet
 
 
+def _headed(piece: Plush, said: Words) -> dict[str, str]:
+    """The parts that are headed otherwise than they are called: name → heading."""
+    parts = piece.built.pattern.parts
+    own = [b for b in said.blocks if b.section >= 0 and b.span is None and not parts[b.section].heading]
+    return {name: b.name for b in own if (name := parts[b.section].name) and name != b.name}
+
+
 def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
     """The finished size: (what, how much)."""
     width, height, depth = size.extent
@@ -168,7 +187,7 @@ def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
 def along(piece: Plush, size: Size) -> bool:
     """Whether a piece is longer than high: one that swims, or goes on four legs."""
     lies = any(part.up == "side" for part in piece.built.pattern.parts)
-    return lies and size.how != "laid flat" and size.extent[2] > size.extent[1]
+    return size.how != "laid flat" and size.extent[2] > (1.0 if lies else _LONG) * size.extent[1]
 
 
 def short(book: Book, what: str) -> str:

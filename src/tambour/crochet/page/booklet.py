@@ -163,14 +163,16 @@ def care(book: Book) -> list[str]:
 
 
 def _care(book: Book, since: int) -> None:
-    """Care, at the foot of the last page that has room, none before page ``since`` (the last of the rounds), else on one of its own."""
+    """Care, at the foot of the last page that has room, none before page ``since`` (the last of the rounds), else with
+    what is needed, else on one of its own."""
     own = book.own
     wide, high = book.size
     room = wide - 2 * MARGIN - 12.0
     text = wrap(" ".join(care(book)), BODY, room)
     small = wrap(own["made"], SMALL, room)
     tall = 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
-    sheet = next((s for s in book.pages[:since:-1] if s.lowest + tall + 8.0 <= high - FOOT), None)
+    fit = [*book.pages[:since:-1], *book.pages[1:2]]  # with what is needed, before it takes a page for itself
+    sheet = next((s for s in fit if s.lowest + tall + 8.0 <= high - FOOT), None)
     if sheet is None:
         sheet, y = book.page(short(book, own["care"])), TOP
     else:

@@ -9,6 +9,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import RULES
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page.diagram import plates, symbols
+from tambour.crochet.page.doubted import doubted
 from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.page.written import Written, sections
 from tambour.render.page import Page
@@ -31,7 +32,10 @@ _FEW: Final = 4
 def helps(built: Built) -> frozenset[int]:
     """The parts that a chart tells better than words: of other stitches than the plain ones, or shaped unevenly."""
     found = set[int]()
-    for _, part, lines in sections(built):
+    told = doubted(built.pattern) if built.pattern.terms else frozenset()
+    for section, part, lines in sections(built):
+        if any(line.span in told for line in section.lines):
+            continue  # it would show what was taken, and not what she says
         done = [d.what for line in lines if not _joins(line) for unit, _ in line.pieces for d in unit]
         spaces = any(_spaces(line) for line in lines if line.number)
         odd = any(what not in _PLAIN and not _INTO.fullmatch(what) for what in done)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from tambour.crochet.page.type import HAIR, SMALL, SOFT
 from tambour.render.page import Page
@@ -102,29 +102,34 @@ def flow(
     """Set chunks into columns on as many pages as they take; the last page's columns are made equally high.
 
     page : begins a page; again : the word for "continued"
-    below : a page that is begun and how far, for chunks that all fit on the rest of it, under ``head``
+    below : a page that is begun and how far, for chunks that fit on the rest of it, under ``head``
     """
-    under = 0.0 if below is None else below[1] + (head.height if head else 0.0)
-    if below is not None and frame.bottom - under > 0.2 * (frame.bottom - frame.top):
-        room = Frame(frame.lefts, frame.width, under, frame.bottom)
-        if all(c.height <= room.bottom - room.top for c in chunks) and len(
-            _pack(chunks, room.bottom - room.top)
-        ) <= len(frame.lefts):
-            sheet = below[0]
-            if head is not None:
-                head.draw(sheet, frame.lefts[0], below[1])
-            flow(chunks, room, lambda: sheet, again)
-            return
-        fits = all(c.height <= room.bottom - room.top for c in chunks)
-        if fits and frame.bottom - under > _BEGIN * (frame.bottom - frame.top):
-            packed = _pack(chunks, room.bottom - room.top)[: len(frame.lefts)]
-            some = [chunk for column in packed for chunk in column]
-            if head is not None:
-                head.draw(below[0], frame.lefts[0], below[1])
-            flow(some, room, lambda: below[0], again)
-            flow(chunks[len(some) :], frame, page, again)
-            return
-    full, many = frame.bottom - frame.top, len(frame.lefts)
+    under = frame.bottom if below is None else below[1] + (head.height if head else 0.0)
+    first, rest = plan(chunks, frame, under)
+    if below is not None and first:
+        if head is not None:
+            head.draw(below[0], frame.lefts[0], below[1])
+        _set(first, replace(frame, top=under), below[0], again)
+    for k in range(0, len(rest), len(frame.lefts)):
+        _set(rest[k : k + len(frame.lefts)], frame, page(), again)
+
+
+def plan(chunks: list[Chunk], frame: Frame, under: float) -> tuple[list[list[Chunk]], list[list[Chunk]]]:
+    """The columns on a page that is begun, below ``under``, none where nothing fits there; and those of the pages after it."""
+    many, full, room = len(frame.lefts), frame.bottom - frame.top, frame.bottom - under
+    packed = _pack(chunks, room)
+    if room > _LEAST * full and len(packed) <= many and all(c.height <= room for c in chunks):
+        return _columns(chunks, room, many), []
+    some = [chunk for column in packed[:many] for chunk in column]
+    if room > _BEGIN * full and len(packed) >= many and all(c.height <= room for c in some):
+        return _columns(some, room, many), _columns(chunks[len(some) :], full, many)
+    return [], _columns(chunks, full, many)
+
+
+def _columns(chunks: list[Chunk], full: float, many: int) -> list[list[Chunk]]:
+    """Chunks in columns; those of the last page, ``many`` of them, are made equally high."""
+    if not chunks:
+        return []
     # A chunk that no column holds is let go row by row.
     whole: list[Chunk] = []
     for chunk in chunks:
@@ -140,21 +145,26 @@ def flow(
     else:
         low = next((h for h in _heights(full) if len(_pack(rest, h)) <= many), full)
     columns[last:] = _pack(rest, low)
-    for first in range(0, len(columns), many):
-        sheet = page()
-        for x, column in zip(frame.lefts, columns[first : first + many]):
-            y = frame.top
-            if not column[0].first:
-                sheet.text(f"{column[0].title}, {again}", x, y + SMALL, SMALL, color=SOFT)
-                sheet.line(x, y + SMALL + 1.4, x + frame.width, y + SMALL + 1.4, HAIR)
-                y += AGAIN
-            for k, chunk in enumerate(column):
-                for j, atom in enumerate(chunk.atoms):
-                    y += atom.space if (k or j) else 0.0
-                    atom.draw(sheet, x, y)
-                    y += atom.height
+    return columns
 
 
+def _set(columns: list[list[Chunk]], frame: Frame, sheet: Page, again: str) -> None:
+    """Draw the columns of one page."""
+    for x, column in zip(frame.lefts, columns):
+        y = frame.top
+        if not column[0].first:
+            sheet.text(f"{column[0].title}, {again}", x, y + SMALL, SMALL, color=SOFT)
+            sheet.line(x, y + SMALL + 1.4, x + frame.width, y + SMALL + 1.4, HAIR)
+            y += AGAIN
+        for k, chunk in enumerate(column):
+            for j, atom in enumerate(chunk.atoms):
+                y += atom.space if (k or j) else 0.0
+                atom.draw(sheet, x, y)
+                y += atom.height
+
+
+_LEAST = 0.2
+"""The rest of a page is begun on if so much of it is white and all fits there."""
 _BEGIN = 0.28
 """What does not fit on the rest of a page begins there if so much of it is white."""
 

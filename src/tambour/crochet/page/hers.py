@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from html import unescape
 from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.language.tree import Action, Line, Pattern
+from tambour.crochet.page.doubted import doubted
 from tambour.crochet.page.instructions import by_people
 from tambour.crochet.words.table import TERMS, Terms
 
@@ -64,6 +66,13 @@ _TOGETHER: Final = re.compile(r"(?:putting|sewing|stitching|piecing|joining)(?: 
 _BULLET: Final = re.compile(r"^[\s#>*•–-]+(?=\S)")
 _STARRED: Final = re.compile(r"(?<!\w)\*(?=\S)([^*]+?)(?<=\S)\*(?!\w)")
 """What stands between asterisks is printed in italics elsewhere."""
+_LINK: Final = re.compile(r"\[([^\]\n]+)\]\([^)\s]*\)")
+_ESCAPED: Final = re.compile(r"\\([*_\[\]()#>-])")
+_AD: Final = re.compile(
+    r"^\W*(?:advertisement|sponsored|ad|cookie settings|jump to (?:the )?(?:recipe|pattern)|print (?:the )?pattern)\W*$",
+    re.IGNORECASE,
+)
+"""A line of a page of the web that is nobody's sentence."""
 _SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
 _LETTER: Final = re.compile(r"[^\W\d_]{2}")
 _BY: Final = re.compile(
@@ -91,6 +100,10 @@ _MOSTLY: Final = 0.8
 """A sentence of which a step says this share is not said twice."""
 _MOST_OF: Final = 0.6
 """A line of which a statement is this share says nothing else."""
+_BROKEN: Final = 45
+"""A line of so many letters may be one that she broke herself, and goes on in the next."""
+_TABLE_HEAD: Final = re.compile(r"^\s*\|(?:\s*[^\W\d]+(?:\s[^\W\d]+)?\s*\|){2,}\s*$")
+"""The head of a table of rounds: "| Round | Instructions | Stitches |"."""
 _WORDS: Final = 5
 """A line of so many words that ends as a sentence does is one, also below a list."""
 
@@ -103,7 +116,7 @@ class Hers:
     size : what she says of it in a sentence ("about 25 cm (10") tall"), "" for nothing
     inside : place of a part among the pattern's → (the round after which it stands, 0 before the first; sentence)
     beside : of a sentence that puts something somewhere (from, to) → those behind it in its line that say more of it
-    ahead : the same → those that stand before it and behind the one before
+    ahead : the same → those that stand before it and behind the one before; assembly : where in her text it begins
     """
 
     intro: list[str] = field(default_factory=list)
@@ -115,6 +128,7 @@ class Hers:
     beside: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     ahead: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     closing: list[str] = field(default_factory=list)
+    assembly: int = 1 << 60
 
     @property
     def sentences(self) -> list[str]:
@@ -140,11 +154,17 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     first = starts[0][0] if starts else 0
     last = starts[-1][0] if starts else len(text)
     assembles = [a for a, _, line in lines if _plain(line) in assembly or _TOGETHER.fullmatch(_plain(line))]
-    after = next((a for a in assembles if a > last), len(text))
+    after = made.assembly = next((a for a in assembles if a > last), len(text))
     named = [part.span for part in pattern.parts]
     covered = [line.span for part in pattern.parts for line in part.lines if not _ends(line)]
     unread = [u.span for u in pattern.unread if u.span is not None]
-    loose = [s for s in (*pattern.passed, *unread) if any(c.start < s.start and s.end <= c.end for c in covered)]
+    whole = doubted(pattern)  # printed in her words from end to end
+    loose = [
+        s
+        for s in (*pattern.passed, *unread)
+        if any(c.start < s.start and s.end <= c.end for c in covered)
+        and not any(c.start <= s.start and s.end <= c.end for c in whole)
+    ]
     finishing = {_span(record) for record in pattern.finish}
     worked = [r for r in pattern.finish if isinstance(r, Eye) or (isinstance(r, Placed) and r.through)]
     stepped = [record.span for record in pattern.finish if record not in worked]
@@ -152,7 +172,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
     waiting: list[str] = []  # what she says before the next step
     for a, b, _ in _whole(lines, text, heads):
-        if a < first and a not in heads:
+        if (a < first and a not in heads) or _TABLE_HEAD.match(text[a:b]) or _AD.match(text[a:b]):
             continue
         if a >= after:
             if a not in assembles:
@@ -184,6 +204,8 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
     text = pattern.text.text
     spoken = {key: {s.lower() for s in (terms.word(key), key)} for key in _LISTED}
     title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
+    wares = {said for key in ("yarn", "hook", "eyes") for said in spoken[key]}
+    long = 0
     mode, unended = "", False
     end = -1
     for a, b, line in lines:
@@ -191,10 +213,12 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
         head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip()
         by = _BY.match(line) if not made.designer and len(line) < 90 else None
         sentence = line.rstrip().endswith((".", "!", "?")) and len(line.split()) >= _WORDS and not _BULLET.match(line)
-        if plain == title or not _LETTER.search(plain):
+        if plain == title or not _LETTER.search(plain) or _AD.match(line):
             continue
         if by is not None:
             made.designer = " ".join(by["name"].split())
+        elif mode == "materials" and head in wares and head != plain:
+            made.materials.append(" ".join(_BULLET.sub("", line).split()))  # "Yarn: DK in blue" among them
         elif head in _NOTES:
             mode = ""
             made.intro += [_clean(line)] if plain != head else []
@@ -206,11 +230,19 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
                 made.materials.append(" ".join(_BULLET.sub("", line).split()))
         elif not _stated(pattern, a, b):
             mode = ""
-            if not gap and made.intro and unended and not _BULLET.match(line):
+            broken = unended and (long >= _BROKEN or line[:1].islower())
+            if not gap and made.intro and broken and not _BULLET.match(line):
                 made.intro[-1] = _clean(f"{made.intro[-1].rstrip('.')} {line}")  # a line that she broke herself
             else:
                 made.intro.append(_clean(line))
             unended = not line.rstrip().endswith((".", "!", "?", ":", ")"))
+            long = len(line)
+        else:  # what else it says than its gauge or size
+            spans = [span for key, (_, span) in pattern.stated.items() if key != "title"]
+            said = [
+                w for w, at in _sentences(text, a, b) if not any(s.start < at.end and at.start < s.end for s in spans)
+            ]
+            made.intro += [" ".join(said)] if said else []
         if mode == "terms":
             made.terms |= {m["said"]: m["meaning"].strip() for m in _TERM.finditer(_BULLET.sub("", line))}
 
@@ -248,17 +280,21 @@ def _closing(
     """The sentences of a line of the assembly that no finishing record tells: they go with the one before them in their line, else
     they wait for the next of the ``steps``."""
     before: tuple[int, int] | None = None
+    fresh = True  # nothing of this line waits yet
     for words, span in _sentences(text, a, b):
         mine = next((one for one in finishing if one[0] < span.end and span.start < one[1]), None)
         if mine is not None:
-            before = mine
+            before, fresh = mine, True
             if waiting and mine in steps:
                 made.ahead[mine] = [*made.ahead.get(mine, []), *waiting]
                 waiting.clear()
         elif before is not None and _MORE_OF.match(words):
             made.beside.setdefault(before, []).append(words)
-        else:
+        elif fresh:
             waiting.append(words)
+            fresh = False
+        else:
+            waiting[-1] += f" {words}"  # a paragraph of hers
 
 
 def _ends(line: Line) -> bool:
@@ -272,6 +308,9 @@ def _plain(line: str) -> str:
 
 
 def _clean(words: str) -> str:
+    if words.lstrip().startswith("|"):  # a row of a table
+        words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
+    words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))
     words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
     return words if not words or words[-1] in ".!?:)" else f"{words}."
 

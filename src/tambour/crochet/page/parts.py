@@ -10,18 +10,17 @@ from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed, spots_of
 from tambour.crochet.page.assembly import DOTS
-from tambour.crochet.page.begin import heading
-from tambour.crochet.page.book import Book, cropped
-from tambour.crochet.page.flow import Atom, Chunk, together
+from tambour.crochet.page.begin import heading, photo
+from tambour.crochet.page.book import OWN, Book, cropped
+from tambour.crochet.page.flow import Atom, Chunk, plan, together
 from tambour.crochet.page.pictures import of_parts
 from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SOFT, width_of, wrap
 from tambour.crochet.page.wording import PartText, Row
 from tambour.render.page import Page
 
-_THUMB = 30.0
-_OWN = 52.0
-"""How high pictures of a part are, and the designer's own photos, mm."""
+_THUMBS = (30.0, 25.0, 21.0)
+"""How high pictures of a part are, mm: as high as costs no page."""
 _SOME, _UPRIGHT = 6, 0.8
 """Rounds of a part that others are put on, or more; and how upright it is, as a cosine."""
 _WHOLE = 0.8
@@ -29,32 +28,52 @@ _WHOLE = 0.8
 _TICK = 2.5
 _WHICH = re.compile(r"(?:the )?(?:first|second|1st|2nd|other|left|right) \w+\W*$", re.IGNORECASE)
 """A heading of one of two pieces that are written as one."""
+_STUFFS = re.compile(
+    r"\bstuff(?!ing\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill\b"
+)
+"""How a designer says that something is stuffed; "weigh your stuffing" does not."""
 _ROUND = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)\.?\s*(\d+)(?:\s*[-–]\s*(?:r)?(\d+))?", re.IGNORECASE | re.MULTILINE)
 _WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 
 
 def rounds(book: Book) -> list[Chunk]:
-    """Every part: its heading and picture, then a row per line."""
+    """Every part: its heading and picture, then a row per line; the pictures as high as costs no page."""
+    under = book.below[1]
+    tried = [_rounds(book, high) for high in _THUMBS]
+    return min(tried, key=lambda chunks: len(plan(chunks, book.frame, under)[1]))
+
+
+def _rounds(book: Book, high: float) -> list[Chunk]:
+    """The same with pictures of a height."""
     piece, said = book.piece, book.said
     width = book.frame.width
     chunks: list[Chunk] = []
     parts = piece.built.graph.parts
     for block in said.blocks:
         heads = heading(book, block.title, width)
-        heads += [_photo(cropped(photo, width / _OWN), width, _OWN) for photo in _hers_of(book, block)]
+        heads += [photo(cropped(one, width / OWN), width, OWN) for one in _hers_of(book, block)]
         if (
             not book.low
             and len(said.blocks) > 1
             and block.part >= 0
             and parts[block.part].end - parts[block.part].start > 2
         ):
-            picture = of_parts(book.album, _alike(book, block), round(width * DOTS), round(_THUMB * DOTS))
-            heads.append(_photo(picture, width, _THUMB))
+            heads.append(_picture(book, block, width, high))
         rows = _rows(book, block, width)
         whole = Chunk([*heads, *rows], block.title)
         fits = whole.height <= _WHOLE * (book.frame.bottom - book.frame.top)
         chunks += [whole] if fits else together(heads, rows, block.title)
     return chunks
+
+
+def _picture(book: Book, block: PartText, width: float, high: float) -> Atom:
+    """A part by itself, drawn when its place is known."""
+
+    def draw(sheet: Page, x: float, y: float) -> None:
+        picture = of_parts(book.album, _alike(book, block), round(width * DOTS), round(high * DOTS))
+        sheet.image(picture, x, y, width, high, photo=True)
+
+    return Atom(high + 2.0, draw)
 
 
 def _alike(book: Book, block: PartText) -> list[int]:
@@ -77,13 +96,9 @@ def _hers_of(book: Book, block: PartText) -> list[Picture]:
     if not 0 <= block.section < len(starts):
         return []
     begin = starts[block.section]
-    end = min((at for at in starts if at > begin), default=1 << 60)
+    after = book.hers.assembly if book.hers is not None else 1 << 60  # those of the assembly stand there
+    end = min((at for at in (*starts, after) if at > begin), default=1 << 60)
     return [photo for at, photo in book.photos[1:] if begin <= at < end]
-
-
-def _photo(picture: Picture, width: float, high: float) -> Atom:
-    """A picture in the middle of a column."""
-    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high, photo=True))
 
 
 def _rows(book: Book, block: PartText, width: float) -> list[Atom]:
@@ -196,7 +211,7 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         drop = [
             row
             for row, words in ours
-            if (stuffs & set(words.rstrip(".").split()[:1]) and "stuff" in whole)
+            if (stuffs & set(words.rstrip(".").split()[:1]) and _STUFFS.search(whole))
             or (
                 words in _ends(book)
                 and re.search(
@@ -234,7 +249,10 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         last = max((row.count for row in rows), default=0)
         open_ = [k for k, row in enumerate(rows) if row.number >= level and 2 * row.count >= last]
         at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
-        rows.insert(at, Row("", eyes_now(book.own, book.spoken(eyes))))
+        hers = book.words_of(eyes[0]) if _alone(book, eyes) else ""
+        rows.insert(at, Row("", eyes_now(book.own, [hers.rstrip(".") + "."] if hers else book.spoken(eyes))))
+        if hers and (apart := book.taken.eyes(eyes)):
+            rows.insert(at + 1, Row("", apart, ours=True))
     return rows
 
 
@@ -268,6 +286,13 @@ def _begun(book: Book, block: PartText, rows: list[Row], span: Span) -> bool:
     text, lines = book.piece.built.pattern.text.text, book.piece.built.pattern.parts[block.section].lines
     heads = [line.span for line in lines if not line.number]
     return any(s.start < span.start and re.search(r"\d", text[s.start : s.end]) for s in heads)
+
+
+def _alone(book: Book, eyes: list[Eye]) -> bool:
+    """Whether a sentence of hers says these eyes, and nothing else."""
+    spans = {r.span for r in eyes}
+    others = [r for r in book.piece.built.pattern.finish if r.span in spans and r not in eyes]
+    return len(spans) == 1 and not others
 
 
 def _eyes_here(book: Book, block: PartText) -> list[Eye]:

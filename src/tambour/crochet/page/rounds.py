@@ -11,6 +11,7 @@ from tambour.core.rgb import RGB
 from tambour.crochet.graph.built import Done
 from tambour.crochet.language.stitches import EDGES, RULES
 from tambour.crochet.language.tree import Pattern
+from tambour.crochet.page.doubted import her_words
 from tambour.crochet.page.wording import Row
 from tambour.crochet.page.written import Written
 from tambour.crochet.words.phrases import Phrases
@@ -72,7 +73,7 @@ class Rounds:
 
     def items(self, line: Written, closing: bool) -> str:
         """The stitches of a line, brackets found."""
-        if not self.exact and (hers := self._joining(line)):
+        if not self.exact and (hers := self._joining(line) or self._hers(line)):
             return hers
         first = line.pieces[0][0][0] if line.pieces else None
         if not self.exact and len(line.pieces) > 1 and first is not None and first.what == "fold" and not first.labels:
@@ -151,6 +152,12 @@ class Rounds:
         words = " ".join(self.pattern.text.text[done.span.start : done.span.end].split())
         found = _HEADED.match(words)
         return _COUNTED.sub("", words[found.end() :] if found else words).strip()
+
+    def _hers(self, line: Written) -> str:
+        """Her own words of a round that was not understood as she says it; "" where it was, or in another language."""
+        if not line.hers or line.line is None or self.terms.code != self.pattern.terms:
+            return ""
+        return her_words(self.pattern, line.line, self.terms)
 
     def _stitch(self, done: Done) -> str:
         if done.labels:  # the part that it goes through as well

@@ -6,7 +6,7 @@ import re
 from functools import lru_cache
 
 from tambour.core.rgb import RGB
-from tambour.render.type import text_width
+from tambour.render.type import text_width, typeface
 
 INK: RGB = (38, 35, 33)
 SOFT: RGB = (112, 106, 100)
@@ -32,12 +32,21 @@ def width_of(text: str, size: float, bold: bool = False) -> float:
     return text_width(text, size, bold)
 
 
+def printable(text: str) -> str:
+    """The text without signs that the typeface has no letter for, and the gaps that they would leave."""
+    if text.isascii():
+        return text
+    glyphs = typeface(False).unicharsToGlyphs([ord(c) for c in text])
+    kept = "".join(c for c, glyph in zip(text, glyphs) if glyph or c.isspace())
+    return kept if kept == text else re.sub(r" {2,}", " ", kept).strip()
+
+
 def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
     """Lines of at most ``room`` mm; words that are longer are cut. No word stands alone in the last of three lines."""
     lines: list[str] = []
     line = ""
     # A number stays with its unit, a mark with the word before it.
-    glued = _GLUED.sub("\u00a0", " ".join(text.translate(_LIGATURES).split()))
+    glued = _GLUED.sub("\u00a0", " ".join(printable(text.translate(_LIGATURES)).split()))
     for word in glued.split(" ") if glued else []:
         trial = f"{line} {word}" if line else word
         if width_of(trial, size, bold) <= room:

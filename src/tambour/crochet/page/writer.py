@@ -291,7 +291,7 @@ class Writer:
     def _heading(self, name: str, span: Span) -> str:
         """A part's name, as she heads it; with the word for a part before it, where it could be taken for another heading."""
         if not self.exact:  # "Head & Body" is called Head Body by those that look for it
-            words = r"\s*(?:&|\+|/|-|and|\s)\s*".join(map(re.escape, name.split()))
+            words = r"\s*(?:&|\+|/|-|'|’|and|\s)\s*".join(map(re.escape, name.split()))
             hers = re.search(words, self.pattern.text.text[span.start : span.end], re.IGNORECASE)
             name = hers[0] if hers is not None else name
             number = re.fullmatch(r"part_(\d+)", name)

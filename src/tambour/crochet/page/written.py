@@ -6,10 +6,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Placed
 from tambour.crochet.language.stitches import RULES, Stitch
-from tambour.crochet.language.tree import Section
+from tambour.crochet.language.tree import Line, Section
+from tambour.crochet.page.doubted import doubted
 
 # The longest repeat that is looked for, in different stitches in a row.
 _LONGEST = 24
@@ -27,6 +29,7 @@ class Written:
     number : of its round; 0 for a line outside rounds, and for a chain that a part begins with; times : rounds like it
     makes : it is a round, or begins one; count : stitches on its edge afterwards, 0 for none
     notes : sentences that stand with it; said : the count that the text states where that is another, 0 where it is not
+    hers : her line, where it was not understood as she says it; line : the line that says it
     """
 
     number: int
@@ -36,6 +39,8 @@ class Written:
     count: int
     notes: tuple[str, ...] = ()
     said: int = 0
+    hers: bool = False
+    line: Line | None = None
 
 
 def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int, list[Written]]]:
@@ -46,12 +51,13 @@ def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int,
     keep: list[Done] = []
     section: Section | None = None
     part = first = -1
+    told = doubted(built.pattern) if inside else frozenset[Span]()
     numbered: dict[str, dict[int, Written]] = {}  # under which numbers a part's rounds can be read
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":
             if section is not None:
                 through = _through(built, section) if inside else {}
-                yield section, first, _lines(section, keep, numbered, through, built.pattern.stitches)
+                yield section, first, _lines(section, keep, numbered, through, built.pattern.stitches, told)
             index, copy = done.numbers
             part += 1
             section, keep, first = (built.pattern.parts[index] if copy == 1 and index >= 0 else None), [], part
@@ -72,7 +78,10 @@ def _through(built: Built, section: Section) -> dict[int, _Runs]:
         at = record.spot
         if at.stitch is not None and at.part in (section.name, f"{section.name}.1"):
             first = round(at.stitch - 0.5 * (record.through + 1))
-            made.setdefault(int(at.round), []).append((first, record.through, record.part.replace(".", " ")))
+            said = (n.number for n in section.lines if n.number and n.span.start <= record.span.start < n.span.end)
+            made.setdefault(next(said, int(at.round)), []).append(
+                (first, record.through, record.part.replace(".", " "))
+            )
     return {number: sorted(runs) for number, runs in made.items()}
 
 
@@ -100,9 +109,10 @@ def _lines(
     numbered: dict[str, dict[int, Written]],
     through: Mapping[int, _Runs],
     stitches: Mapping[str, Stitch],
+    told: frozenset[Span],
 ) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
-    stated = [line.stated or 0 for line in section.lines for _ in range(line.times)]
+    of = [line for line in section.lines for _ in range(line.times)]
     made: list[Written] = []
     own = numbered.setdefault(section.name, {})
     line: list[Done] = []
@@ -125,7 +135,7 @@ def _lines(
         elif done.what != "end":
             line.append(done)
         else:
-            number, said, at = numbers[at], stated[at], at + 1
+            number, source, at = numbers[at], of[at], at + 1
             makes = in_round or any(d.what in _MAKES for d in line)
             if not line and not again:
                 continue
@@ -141,8 +151,10 @@ def _lines(
             if number in through:
                 line = _named(line, through[number], stitches)
             count = done.times if makes else 0
-            hers = said if count and said != count else 0
-            written = Written(number, 1, makes, tuple(brackets(line)), count, tuple(notes), hers)
+            said = source.stated if source.stated and count and source.stated != count else 0
+            written = Written(
+                number, 1, makes, tuple(brackets(line)), count, tuple(notes), said, source.span in told, source
+            )
             before = made[-1] if made else None
             if number:
                 own[number] = written
@@ -193,6 +205,7 @@ def _follows(before: Written, written: Written) -> bool:
         and before.pieces != ()
         and before.pieces[-1][0][0].what != "again"
         and before.number + before.times == written.number
+        and (before.line is written.line or not (before.hers or written.hers))
         and (before.count, before.said) == (written.count, written.said)
         and [(list(map(_key, unit)), n) for unit, n in before.pieces]
         == [(list(map(_key, unit)), n) for unit, n in written.pieces]

@@ -1,0 +1,67 @@
+"""Drawn: how large the pictures have what is embroidered, and over which rounds, where a designer leaves it open."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.finish.placing import frames
+from tambour.crochet.language.finishes import Embroidery
+
+if TYPE_CHECKING:
+    from tambour.crochet.maker.taken import Taken
+
+_FACES: Final = (
+    "smile",
+    "mouth",
+    "nose",
+    "v nose",
+    "y nose",
+    "brows",
+    "cheeks",
+    "lashes",
+    "navel",
+    "closed eyes",
+    "eyes",
+    "claws",
+)
+
+
+def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
+    """The pieces of the sentence of what is embroidered of one kind on one part."""
+    own, first = taken.own, alike[0]
+    part = taken.spots.parts[first.spots[0].part]
+    rows = bool(taken.spots.in_rows[part])
+    known = [(r, s) for r in alike for s in r.spots]
+    points = frames(taken.spots, taken.piece.positions, [s for _, s in known]).points
+    rounds = [s.round for _, s in known]
+    a, b = max(1, int(np.floor(min(rounds) + 0.25))), max(1, int(np.ceil(max(rounds) - 0.25)))
+    if len(known) == 1:
+        stitch = first.spots[0].stitch
+        if stitch is None:
+            return []
+        return [own["took knot row" if rows else "took knot"].format(a=round(rounds[0]), b=round(stitch))]
+    if max(rounds) - min(rounds) < 1.0:
+        a = b = max(1, round(float(np.mean(rounds)) - 0.01))
+    over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)
+    if len(taken.built.graph.parts) > 1:
+        over += f" ({taken.built.pattern.parts[taken.built.parts[part].section].name})"
+    long = [float(np.sqrt(((p[-1] - p[0]) ** 2).sum())) for p in _each(alike, points)]
+    if first.motif == "whiskers":
+        begins = [abs(taken.off(r.spots[0])[0]) for r in alike]
+        from_ = taken.from_middle(first.spots[0].part, [float(np.mean(begins))], taken.off(first.spots[0])[1])
+        return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
+    if first.motif not in _FACES or len(alike) > 1:
+        return [over]
+    wide, high = (max(1, round(float(v))) for v in np.ptp(points, axis=0)[:2])
+    return [own["took size" if high > 2 else "took wide"].format(w=wide, h=high), over]
+
+
+def _each(alike: list[Embroidery], points: Array) -> list[Array]:
+    made, at = [], 0
+    for record in alike:
+        made.append(points[at : at + len(record.spots)])
+        at += len(record.spots)
+    return made
