@@ -41,4 +41,6 @@ def _foot(line: str) -> bool:
     found = _FOOT.match(line) if len(line) <= 120 else None
     if found is None or not 0 < int(found["page"]) <= int(found["pages"]):
         return False
+    if found["title"] is not None and not any(c.isalpha() for c in found["title"]):
+        return False  # "6 / 12 / 12 / 12": the stitches of rounds
     return found["title"] is None or not any(c in found["title"] for c in ".:;") or "page" in line.lower()

@@ -253,7 +253,9 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     return (total, tokens[numbers[0]].span, more) if 1 <= total <= 1000 else None
 
 
-_PIECES: Final = frozenset("pieces parts pcs pc piece part stück piezas pièces stuks".split())
+_PIECES: Final = frozenset(
+    "pieces parts pcs pc piece part stück stk piezas iguales pièces stuks delen details detail elements".split()
+)
 _WORKED: Final = ("ring", "stitch", "hook", "loop", "round", "row")
 _ALIKE: Final = frozenset(("alike", "pieces", "the same", "per"))
 

@@ -21,6 +21,9 @@ def plain(tokens: list[Token]) -> list[Token]:
         after = tokens[at + 1 : at + 4]
         if (past := _of_each(tokens, at)) > at:
             at = past
+        elif token.value in _LEADS and (put := _from_hook(tokens, at)) is not None:
+            words, at = put
+            made += words
         elif token.kind == "stitch" and (many := _often(after)) is not None:
             number, length = many
             made += [Token("number", str(number), token.start, token.start, number), token]
@@ -45,6 +48,51 @@ def _of_each(tokens: list[Token], at: int) -> int:
         stitches = at and (tokens[at - 1].kind == "stitch" or tokens[at - 1].value in ("round", "row"))
         return end + 2 if counts and (stitches or end == at) else at
     return at + 1 if tokens[at].word in _ALIKE and at and tokens[at - 1].value in ("round", "row", "stitch") else at
+
+
+_NTH: Final = range(2, 41)
+_REACH: Final = 3  # words between a chain and the hook that it is counted from
+
+
+_LEADS: Final = frozenset(("in", "from", "begin"))
+
+
+def _nth(tokens: list[Token], at: int) -> tuple[int, int]:
+    """The number of "3." or "third", and where the words behind it begin; 0 for none."""
+    token = tokens[at] if at < len(tokens) else None
+    if token is None:
+        return 0, at
+    point = at + 1 < len(tokens) and tokens[at + 1].word == "." and tokens[at + 1].glued
+    nth = token.kind == "ordinal" or (token.kind == "number" and point)
+    if not nth or not isinstance(token.value, int) or token.value not in _NTH:
+        return 0, at
+    return token.value, at + 1 + (token.kind == "number")
+
+
+def _from_hook(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
+    """``in 2nd ch from hook`` for "ab der 2. Lm von der Nadel", "vanaf de 2e l op de haaknaald"; and where such words end."""
+    if tokens[at].kind != "key" or tokens[at].value not in ("from", "in", "begin") or at + 3 >= len(tokens):
+        return None
+    nth, end = _nth(tokens, at + 1)
+    if not nth or end >= len(tokens) or tokens[end].value != "ch":
+        return None
+    hook = next((k for k in range(end + 1, min(end + 1 + _REACH, len(tokens))) if tokens[k].value == "hook"), 0)
+    if not hook or any(t.kind in ("stitch", "number") for t in tokens[end + 1 : hook]):
+        return None
+    if tokens[at].value == "in" and tokens[end + 1].value == "from":
+        return None  # as it is usually said
+    place = tokens[at].start
+
+    def key(word: str, value: str) -> Token:
+        return Token("key", word, place, tokens[hook].end, value)
+
+    return [
+        key("in", "in"),
+        Token("ordinal", str(nth), tokens[at + 1].start, tokens[end - 1].end, nth),
+        tokens[end],
+        key("from", "from"),
+        tokens[hook],
+    ], hook + 1
 
 
 _ALIKE: Final = frozenset(("unchanged", "alike"))

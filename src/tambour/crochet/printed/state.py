@@ -17,14 +17,17 @@ from tambour.crochet.printed.banners import banners
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.heads import head
 from tambour.crochet.printed.leaves import leaves
+from tambour.crochet.printed.legend import explained
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
+from tambour.crochet.printed.runs import listed, parted
 from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.shorthand import numbered
+from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wrapping import unwrapped
@@ -91,6 +94,11 @@ class State:
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
+        explained(self.rows, self.vocabulary)
+        self.rows = tabled(source.text.text, self.rows, self.vocabulary)
+        self.rows = parted(source.text.text, self.rows, self.vocabulary)
+        if self.language.code in ("us", "uk"):
+            self.rows = listed(self.rows, self.vocabulary)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)
         self.rows = unwrapped(source.text.text, self.rows, self._begins_round)
         terms = TERMS[self.language.code]

@@ -15,7 +15,7 @@ _HIDDEN: Final = "\u200b\u200c\u200d\u2060\ufeff\u00ad"
 # One alternation without nested repeats, so the time is linear whatever the text.
 _TOKEN: Final = re.compile(
     r"(?P<newline>\n)"
-    r"|(?P<ordinal>(?:\d{0,8}(?:1st|2nd|3rd)|\d{1,9}(?:th|er|[ºª°](?!C)))(?![^\W\d_]))"
+    r"|(?P<ordinal>(?:\d{0,8}(?:1st|2nd|3rd)|\d{1,9}(?:th|er|e|ème|eme|ère|re|ste|de|te|[ºª°](?!C)))(?![^\W\d_]))"
     rf"|(?P<number>\d(?:\d|[{_HIDDEN}](?=\d))*(?:\.\d+)?)"
     rf"|(?P<word>[^\W\d_](?:[\w'’]|[{_HIDDEN}](?=[^\W\d_]))*)"
     r"|(?P<mark>\*\*+|\*|--+|[^\s\w]|_+)"
@@ -24,6 +24,8 @@ _TURKISH: Final = str.maketrans("ı", "i", "\u0307")
 _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
+_WIDE: Final = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x2192: 0x3A, 0x279C: 0x3A, 0x21D2: 0x3A}
+"""Letters, digits and marks as wide as Chinese ones, "（６）", and arrows behind the head of a round, which stand for a colon."""
 _UNSEEN: Final = frozenset(_HIDDEN + "\ufe0f")
 _SHOWN: Final = str.maketrans(
     "ıİаеорсухіѕјһԁАВЕКМНОРСТХІЅЈοΟυ", "iIaeopcyxisjhdABEKMHOPCTXISJoOu", _HIDDEN
@@ -71,6 +73,7 @@ def rows(text: str) -> list[Row]:
     """The lines of ``text``; Markdown's signs of weight, quotation and lists are taken off."""
     made: list[Row] = []
     text = _SPLIT.sub(r"   f\1", text)  # places stay as they are
+    text = text if text.isascii() else text.translate(_WIDE)
     tokens: list[Token] = []
     start = last = 0
     for found in _TOKEN.finditer(text):
@@ -126,7 +129,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         at += 1
     while len(tokens) > at and tokens[-1].word == "|":
         tokens.pop()
-    tokens = _kerned(_undashed(tokens[at:]))
+    tokens = _dotted(_kerned(_undashed(tokens[at:])))
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
         if len(weights) == 2 and tokens[0] is weights[0] and not marked:
@@ -149,7 +152,7 @@ def _kerned(tokens: list[Token]) -> list[Token]:
     for k in range(len(tokens) - 2):
         one, two, after = tokens[k : k + 3]
         apart = one.kind == two.kind == "number" and len(one.word) == len(two.word) == 1 and two.start == one.end + 1
-        named = k and tokens[k - 1].word in _ROUNDS  # "Rnd 1 6 sc"
+        named = not k or tokens[k - 1].word in _ROUNDS  # "Rnd 1 6 sc", "1 6 sc in MR 6"
         if apart and one.value and not named and after.word in ("sts", "sc", "st", "stitches"):
             whole = Token("number", one.word + two.word, one.start, two.end, 10 * one.value + two.value, one.glued)
             return [*tokens[:k], whole, *_kerned(tokens[k + 2 :])]
@@ -173,6 +176,37 @@ def _undashed(tokens: list[Token]) -> list[Token]:
     ]
 
 
+def _dotted(tokens: list[Token]) -> list[Token]:
+    """``tokens`` with letters and points together that are one short word: "6 d.c. into loop"."""
+    if not any(t.word == "." and t.glued for t in tokens):
+        return tokens
+    made: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        letters, end = "", at
+        while (
+            end + 1 < len(tokens)
+            and len(tokens[end].word) <= 3
+            and tokens[end].kind == "word"
+            and tokens[end + 1].word == "."
+            and tokens[end + 1].glued
+            and (end == at or tokens[end].glued)
+        ):
+            letters, end = letters + tokens[end].word, end + 2
+        if end - at < 4 or letters not in _DOTTED:
+            made.append(tokens[at])
+            at += 1
+            continue
+        after = tokens[end] if end < len(tokens) else None
+        stops = after is None or after.capital
+        last = tokens[end - 1]
+        made.append(Token("word", letters, tokens[at].start, last.start, None, tokens[at].glued, tokens[at].capital))
+        made += [last] if stops else []
+        at = end
+    return made
+
+
+_DOTTED: Final = frozenset("dc sc ss hdc htr tr dtr slst blo flo mr".split())
 _STS: Final = frozenset("st sts stitch stitches".split())
 _ROUNDS: Final = frozenset("rnd rnds round rounds row rows r rd".split())
 _PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight

@@ -123,6 +123,11 @@ class Vocabulary:
         for phrases in self._first.values():
             phrases.sort(key=lambda p: -len(p[0]))
 
+    def mean(self, word: str, key: str) -> None:
+        """A word of the trade, a ring or a round, that the pattern itself explains."""
+        self._add([word], "key", key)
+        self._read.clear()
+
     def own(self) -> None:
         """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
         self._first = {word: list(phrases) for word, phrases in self._first.items()}
