@@ -6,6 +6,7 @@ import re
 from typing import Final
 
 from tambour.crochet.places import face
+from tambour.crochet.places.hairdo import COMBED, is_hair
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.said import VERB
 
@@ -32,6 +33,8 @@ def assembling(text: str, names: list[str]) -> bool:
     """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
     low = text.lower()
     if len(low) <= 600 and _WOUND.search(low) and face.motifs(low):
+        return True
+    if len(low) <= 600 and (is_hair(low) or (COMBED.search(low) and re.search(r"\bhair|tails?\b|braid|bunches", low))):
         return True
     if len(low) > 600 or not VERB.search(low):
         return False

@@ -12,9 +12,10 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.places import face
+from tambour.crochet.places.hairdo import before, hairs
 from tambour.crochet.places.hear import Feature
 from tambour.crochet.places.put import Putter
-from tambour.crochet.places.said import LONG, length, size
+from tambour.crochet.places.said import size
 from tambour.crochet.places.stand import Host, numbers_of
 from tambour.crochet.places.usual import Way, usual
 
@@ -43,8 +44,6 @@ _BESIDE_EACH: Final = 0.8
 """Two cheeks are no wider than this share of the way from the one to the other."""
 _OBLONG: Final = 1.3
 """A piece so much wider than high has its eyes in its middle line."""
-_HAIR_LONG: Final = 2.6
-"""How far hair hangs, in halves of a head's height, where nothing says it."""
 _TINY: Final = 0.7
 """How large something is that is called tiny, little or small."""
 _KNOT: Final = 1.4
@@ -222,7 +221,7 @@ class Facer(Putter):
         host = self._faced(f, name)
         if name == "hair":
             bare = work.of_kind("head") if host.name in {p.copy(1) for p in work.parts if p.kind == "hat"} else None
-            return [self._hair(host if bare is None else work.host((bare, 1)), f)]  # not on the crown of a princess
+            return self._hair(host if bare is None else work.host((bare, 1)), f)  # not on the crown of a princess
         if f.where.rounds is not None and not self.stand.there(Spot(host.name, 0.5 * sum(f.where.rounds[:2]), None)):
             return [Embroidery((Spot(host.name, f.where.rounds[0], None, f.span),), span=f.span, motif=name)]
         tall = None
@@ -276,26 +275,16 @@ class Facer(Putter):
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
 
-    def _hair(self, host: Host, f: Feature) -> Hair:
-        """Strands along a parting over the crown, from the brow to the nape, that fall to both sides: as far as is said, else as is usual, which
-        is told."""
-        middle, half = host.box
-        ways = [np.array(way) for way in ((0.0, 0.97, 0.3), (0.0, 1.0, -0.1), (0.0, 0.3, -0.95))]
-        spots = [replace(host.near(middle + way * half), span=f.span) for way in ways]
-        said = f.where.rounds
-        if said is not None and self.stand.there(Spot(host.name, said[0], None)):
-            ends = (np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0]))
-            front, back = (Spot(host.name, said[0], round(host.in_round(said[0], way), 3), f.span) for way in ends)
-            spots = [front, spots[1], back]
-        else:
+    def _hair(self, host: Host, f: Feature) -> list[Finish]:
+        """Strands on a head as far as is said, else as is usual, which is told."""
+        at = f.where.rounds
+        said = at is not None and all(self.stand.there(Spot(host.name, n, None)) for n in at[:2])
+        if not said:
             self.work.made.guessed.append(f"hair on {host.name}")
-        cut = (
-            2.0 * length(long[1], long[2])
-            if (long := LONG.search(f.text))
-            else round(2.0 * _HAIR_LONG * float(half[1]) * self.work.stitch)
-        )
-        count = max(16, round(3.5 * float(half[1] + half[2])))
-        return Hair(tuple(spots), count, float(cut), f.color or Hair(()).color, f.span)
+        words = before(self.work.text, f.span.start) + f.text
+        rounds = (at[0], at[1]) if said and at is not None else None
+        color = f.color or Hair(()).color
+        return [*hairs(host, self.stand.there, words, rounds, self.work.stitch, color, [f.span, *f.also])]
 
     def _beside_snout(self, host: Host, f: Feature) -> list[Array]:
         """Where whiskers begin: on both sides of a snout that is sewn on; nowhere where there is none."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from tambour.core.errors import Span
@@ -11,6 +11,7 @@ from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places import face
 from tambour.crochet.places.assembling import ALL, DRAWN, EYED, EYES, TO
+from tambour.crochet.places.hairdo import COMBED, is_hair
 from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, N, Where, clauses, number, where
 
@@ -109,6 +110,7 @@ class Feature:
     color: RGB | None
     text: str
     guess: bool = False
+    also: list[Span] = field(default_factory=list)
 
 
 _ONE_OTHER: Final = re.compile(
@@ -156,6 +158,8 @@ class Heard:
         if ALL.search(low):
             self.everything = True
             return
+        if self._hair(low, sentence, order):
+            return
         heard, begin = False, 0
         for a, b in clauses(low):
             shades = [rgb for at, rgb in sentence.colors if a <= at < b] or [rgb for _, rgb in sentence.colors[:1]]
@@ -166,6 +170,24 @@ class Heard:
             heard, begin = heard or done, b if done else begin
         if not heard:
             self.lost.append(sentence.span)
+
+    def _hair(self, low: str, sentence: Sentence, order: int) -> bool:
+        """Whether a sentence says how hair of yarn is made that no part is: along a parting, all over, in bunches."""
+        if EYES.search(low) or any({"hair", "wig"} & set(p.words) or p.kind == "tuft" for p in self.parts):
+            return False
+        known = next((f for f in self.features if f.what == "hair"), None)
+        if not is_hair(low) and (known is None or not COMBED.search(low)):
+            return False
+        color = sentence.colors[0][1] if sentence.colors else None
+        if known is not None:
+            known.text += f". {low}"
+            known.also.append(sentence.span)
+            known.color = known.color or color
+            known.where = known.where if known.where.rounds is not None else where(low)
+            return True
+        host = next(((p, 1) for p in self.parts if p.single and p.kind == "head"), None)
+        self.features.append(Feature("hair", host, "head", where(low), sentence.span, order, color, low))
+        return True
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
         low = _MEET.sub("at neck of body", low)
