@@ -26,6 +26,8 @@ LOOSE = [
     "Attach strands of yarn to the head with a hook, all over the crown.",
     "Latch hook the hair into every stitch of rounds 3-6.",
     "Hair: cut strands of yarn and attach them along the centre of the head from the forehead to the neck.",
+    "Fold each strand in half and knot it along the parting.",
+    "Fold each strand in half and knot it with your hook along a centre parting.",
     "Sew hair to the head.",
 ]
 

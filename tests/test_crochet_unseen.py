@@ -32,10 +32,10 @@ def told(made: Pattern) -> list[str]:
     [
         "Make a white pompom about 4 cm across using a fork.",
         "Take the straps over the shoulders, cross them at the back and knot them.",
-        "Fold each strand in half and knot it along the parting.",
+        "Fold each strand in half and knot it along the hem.",
         "Gather into two bunches and tie with a ribbon.",
         "Tie a ribbon round the neck.",
-        "Fold each strand in half and knot it with your hook along a centre parting.",
+        "Fold each strand in half and knot it with your hook along the edge of the shawl.",
         "Fold the rim to the outside.",
         "Brush a little blusher here and there.",
         "Run the yarn through one end of the tube, pull tight and secure.",

@@ -13,6 +13,15 @@ FAR = 1e3
 """How far beyond a thing's size the three corners lie with which the search for its facet begins, and how far above it."""
 NEAR = 1e-9
 """What counts as on a facet, as a share of the thing's size."""
+RESTS = 0.04
+"""What is in this lowest share of a thing's height bears it."""
+HELD = 0.12
+"""A soft thing whose middle is so much of its height beside what bears it does not stand."""
+MOST, DEAR, FIRM = 60, 0.001, 0.08
+"""By how many degrees at the most a thing is turned ahead or back to stand, what each costs, and how far within its feet
+its middle ought to be, as a share of its height."""
+AHEAD = 0.8
+"""A face looks ahead by this cosine."""
 STEPS = 500
 """Facets that are tried, and ways that it rolls, before it is left as it was."""
 
@@ -86,3 +95,34 @@ def _turn(a: Array, b: Array) -> Array:
     cross = np.array([[0.0, -k[2], k[1]], [k[2], 0.0, -k[0]], [-k[1], k[0], 0.0]])
     square = np.array([[float(cross[i] @ cross[:, j]) for j in range(3)] for i in range(3)])
     return np.asarray(np.eye(3) + cross + square / (1.0 + float(a @ b)))
+
+
+def beside(x: Array, pitch: float, within: float = 0.0) -> float:
+    """How far the middle of points x (K, 3), turned ahead by ``pitch`` radians, lies before or behind what they rest on then, as a
+    share of their height; ``within`` : so far from the edge of that it ought to be, as such a share."""
+    y, z = _pitched(x, pitch)
+    high = max(float(np.ptp(y)), 1e-9)
+    low = z[y < float(y.min()) + RESTS * high]
+    middle = float(z.mean())
+    return max(0.0, within + (float(low.min()) - middle) / high, within + (middle - float(low.max())) / high)
+
+
+def righted(x: Array, looks: Array) -> float:
+    """By how many radians points x (K, 3), up +y, front +z, are turned ahead (or back, below 0) to stand: as little as may be, with the
+    face looking ahead. looks : (M, 3) the ways that a face looks; nothing is turned that stands already."""
+    if beside(x, 0.0) < HELD:
+        return 0.0
+    best, turn = math.inf, 0.0
+    for degrees in range(-MOST, MOST + 1, 3):
+        pitch = math.radians(degrees)
+        ahead = float(_pitched(looks, pitch)[1].mean()) if len(looks) else AHEAD
+        cost = beside(x, pitch, FIRM) + max(0.0, AHEAD - ahead) + abs(degrees) * DEAR
+        if cost < best - 1e-9:
+            best, turn = cost, pitch
+    return turn if beside(x, turn) < 0.5 * HELD else 0.0
+
+
+def _pitched(x: Array, pitch: float) -> tuple[Array, Array]:
+    """Heights and depths (K,) of points turned ahead."""
+    c, s = math.cos(pitch), math.sin(pitch)
+    return np.asarray(c * x[:, 1] - s * x[:, 2]), np.asarray(s * x[:, 1] + c * x[:, 2])

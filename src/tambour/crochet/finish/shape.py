@@ -12,6 +12,7 @@ from tambour.core.check import Array
 from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
 from tambour.core.packed import Packed
+from tambour.crochet.finish.stood import at_rest, clad, standing, upright
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.graph.sided import sided
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
@@ -29,8 +30,6 @@ GRAIN = 9
 machine, and a soft shape would enlarge them."""
 ROUGHLY = 30.0
 """How many times farther from rest a shape may be that only tells how far stuffing stretches it."""
-TIPS = 12.0
-"""By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
 FALLEN = 0.9
 """The cosine of the angle from which on a part has fallen over while it settled."""
 BUILDING = 2_000_000
@@ -300,11 +299,11 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         if count > 1:
             yield from settle(np.flatnonzero(piece == k))
     if joined is not None:
-        x, c = _standing(task, x, c, joined, piece)
+        x, c = standing(task, x, c, joined, piece)
         if task.joining is not None and task.joining.built.pattern.terms:
-            x, c = _at_rest(task, x, c, joined, piece)
-        joined = replace(joined, upright=_upright(graph, joined, x))
-        task, x, joined = _clad(task, x, joined, piece)
+            x, c = at_rest(task, x, c, joined, piece)
+        joined = replace(joined, upright=upright(graph, joined, x))
+        task, x, joined = clad(task, x, joined, piece)
         if len(task.graph.edges) > len(graph.edges):  # what is worn is no piece beside the toy
             graph, piece = task.graph, clusters(task.graph)
             bodies = {int(k): 2 if k in np.unique(piece[joined.held[:, 0]]) else 1 for k in np.unique(piece)}
@@ -327,62 +326,6 @@ def risen(x: Array, begun: Array, bodies: list[Array]) -> Array:
         if (np.trace(turn) - 1.0) / 2.0 < FALLEN:
             x[nodes] = turned(x[nodes], turn) + shift
     return x
-
-
-def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
-    """Every piece that parts were sewn to, turned back to where the part that they stand on stood by itself."""
-    x, c = x.copy(), c.copy()
-    first = np.concatenate([[0], np.cumsum(task.used)])
-    moved = {int(task.graph.part[pairs[0, 0]]) for pairs in joined.seams}
-    for k in np.unique(piece[joined.held[:, 0]]):
-        own = [p for p in np.unique(task.graph.part[piece == k]) if int(p) not in moved]
-        base = np.flatnonzero(np.isin(task.graph.part, own) & (piece == k))
-        turn, shift = fit(x[base], joined.x[base], np.ones(len(base)))
-        x[piece == k] = turned(x[piece == k], turn) + shift
-        for p in np.unique(task.graph.part[piece == k]):
-            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]], turn) + shift
-    return x, c
-
-
-def _at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
-    """Every sewn toy set down: turned a little, so that it stands or sits where it would not tip over."""
-    from tambour.geometry.stance import set_down
-
-    x, c = x.copy(), c.copy()
-    first = np.concatenate([[0], np.cumsum(task.used)])
-    for k in np.unique(piece[joined.held[:, 0]]):
-        own = piece == k
-        middle = x[own].mean(0)
-        off = x[own] - middle
-        # With its mirror image a toy tips ahead or back only: what is a little heavier on one side stands all the same.
-        turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
-        x[own] = turned(x[own] - middle, turn) + middle
-        for p in np.unique(task.graph.part[own]):
-            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
-    return x, c
-
-
-def _clad(task: Task, x: Array, joined: Joined, piece: Array) -> tuple[Task, Array, Joined]:
-    """Clothes put on who wears them, and held there by a few stitches."""
-    worn = task.joining.built.pattern.worn if task.joining is not None else ()
-    if not worn or task.joining is None:
-        return task, x, joined
-    from tambour.crochet.finish.dressed import dressed
-    from tambour.crochet.finish.joining import with_seams
-
-    x, tacks = dressed(task.joining.spots, x, joined.upright, worn, piece)
-    task = replace(task, graph=with_seams(task.graph, tacks, task.width))
-    return task, x, replace(joined, seams=(*joined.seams, tacks))
-
-
-def _upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:
-    """Which way is up on every part (P, 3), now that its nodes are at x."""
-    up = joined.upright.copy()
-    for k, p in enumerate(graph.parts):
-        if p.end > p.start:
-            turn, _ = fit(joined.x[p.start : p.end], x[p.start : p.end], np.ones(p.end - p.start))
-            up[k] = turned(up[k], turn)
-    return up
 
 
 def _apart(task: Task, x: Array, c: Array, piece: Array) -> tuple[Array, Array]:

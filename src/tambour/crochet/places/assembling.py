@@ -28,13 +28,29 @@ TO: Final = re.compile(
 _WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
 """How noses are made that are not called embroidered."""
 
+BUTTONS: Final = re.compile(
+    r"\b(?:buttons|beads)\s+(?:and\s+(?:sew|glue|stitch|attach)\s+(?:them\s+)?)?(?:(?:for|as)\s+(?:the\s+)?eyes\s+)?(?:\w+ly\s+)?(?:to|on|onto)\s+"
+    r"(?:(?:each|either)\s+side\s+of\s+)?(?:the\s+)?(?:front\s+of\s+(?:the\s+)?)?(?:head|face)\b"
+)
+"""Buttons on a head that nobody calls eyes."""
+THREAD: Final = re.compile(
+    r"\b(?:satin|straight|stem|chain|split|running|lazy daisy) (?:st|sts|stitch|stitches)\b|\bback-?stitch\b|\bfrench knots?\b"
+)
+"""Stitches that draw with thread."""
+MEET: Final = re.compile(
+    r"\b(?:where|at which) (?:the )?(?:head and (?:the )?body|body and (?:the )?head) (?:meet|join|are joined)\b"
+)
+
 
 def assembling(text: str, names: list[str]) -> bool:
     """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
     low = text.lower()
     if len(low) <= 600 and _WOUND.search(low) and face.motifs(low):
         return True
-    if len(low) <= 600 and (is_hair(low) or (COMBED.search(low) and re.search(r"\bhair|tails?\b|braid|bunches", low))):
+    if len(low) <= 600 and (
+        is_hair(low)
+        or (COMBED.search(low) and re.search(r"\bhair|tails?\b|braid|\b(?:them|it) (?:in|into)\b[^.]*\bbunches", low))
+    ):
         return True
     if len(low) > 600 or not VERB.search(low):
         return False

@@ -18,13 +18,18 @@ from tambour.crochet.places.said import LONG, N, length, number
 from tambour.crochet.places.stand import Host
 
 KNOTTED: Final = re.compile(
-    r"\b(?:attach|knot|latch|hook|loop|pull|draw|thread|sew|stitch|lay|work|add|tie|glue)\w*\b[^.]*\bhair\b(?!\s*(?:bow|tie|band|clip|ribbon|line\b))"
+    r"\b(?:attach|knot|latch|hook|loop|pull|draw|thread|sew|stitch|lay|work|add|tie|glue)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around|of)\b)[^.]){0,60}\bhair\b(?!\s*(?:bow|tie|band|clip|ribbon|line\b))"
     r"|\bhair\b[^.]*\b(?:attach|knot|latch|loop|pull|draw|thread|sew|lay|fold|add|cut)\w*\b"
     r"|\b(?:strands?|pieces? of (?:\w+ )?yarn|lengths?(?: of (?:\w+ )?yarn)?)\b[^.]*\b(?:attach|knot|latch|loop|pull|draw|sew|stitch|lay)\w*\b[^.]*\b(?:head|crown|scalp|hairline|parting)\b"
     r"|\b(?:attach|knot|latch|loop|pull|draw|sew|lay)\w*\b[^.]*\b(?:strands?|pieces? of (?:\w+ )?yarn|lengths?(?: of (?:\w+ )?yarn)?)\b[^.]*\b(?:head|crown|scalp|hairline|parting)\b"
     r"|\b(?:fold|pull|draw|loop)\w*\b[^.]*\b(?:head|crown|scalp)\b[^.]*\b(?:hook|loop|all over|every st)"
 )
 """A sentence that puts strands of yarn on a head."""
+SEWN_HAIR: Final = re.compile(
+    r"\b(?:sew|stitch|knot|attach)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around)\b)[^.,;]){0,40}"
+    r"(?P<hair>(?:\band\s+(?:the\s+)?)?\bhair\b)(?!\s*(?:bow|tie|band|clip|ribbon|line))"
+)
+"""Strands of yarn that are sewn to a head along with something else."""
 CUT: Final = re.compile(r"\b(?:cut|wrap|wind)\w*\b[^.]*\b(?:strands?|pieces?|lengths?|yarn)\b")
 """What is done before: strands are cut, yarn is wound about a book."""
 COMBED: Final = re.compile(
@@ -120,9 +125,9 @@ def hairs(
 
 def _said(text: str) -> float | None:
     """How long strands are cut, mm, where it is said."""
-    long = LONG.search(text)
-    if long:
-        return float(length(long[1], long[2]))
+    long, strands = LONG.search(text), re.search(r"\bcut\b|\b(?:strand|piece|length)s?\b", text)
+    if long:  # a strand is folded in half; hair is as long as it hangs
+        return float(length(long[1], long[2])) * (1.0 if strands else 2.0)
     found = _CUT.search(text)
     unit = {"c": "cm", "m": "mm"}.get(found[2][0], "in") if found else ""
     return float(length(found[1], unit)) if found else None

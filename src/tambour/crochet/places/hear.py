@@ -10,16 +10,12 @@ from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places import face
-from tambour.crochet.places.assembling import ALL, DRAWN, EYED, EYES, TO
-from tambour.crochet.places.hairdo import COMBED, is_hair
+from tambour.crochet.places.assembling import ALL, BUTTONS, DRAWN, EYED, EYES, MEET, THREAD, TO
+from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
 from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, N, Where, clauses, number, where
 
 Copy = tuple[Made, int]
-_THREAD: Final = re.compile(
-    r"\b(?:satin|straight|stem|chain|split|running|lazy daisy) (?:st|sts|stitch|stitches)\b|\bback-?stitch\b|\bfrench knots?\b"
-)
-"""Stitches that draw with thread."""
 _NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along)\b")
 _MORE: Final = re.compile(rf"(?:\band|,)\s+(?:the\s+|\w+ing\s+|{N}\s+)?$")
 _COUNTED: Final = re.compile(rf"\b({N})\s+(?:(?!of\b)[a-z]+\s+)?$")
@@ -53,9 +49,6 @@ _WHEN: Final = re.compile(
     r"\b(?:after|before|once|until|while)\b[^,.;]*\b(?:has|have|is|are|been|sewing|attaching)\b[^,.;]*"
 )
 """When something is done, which says no place: "after the head has been sewn to the neck"."""
-_MEET: Final = re.compile(
-    r"\b(?:where|at which) (?:the )?(?:head and (?:the )?body|body and (?:the )?head) (?:meet|join|are joined)\b"
-)
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
@@ -119,16 +112,6 @@ _ONE_OTHER: Final = re.compile(
 """Two of a kind, each with a place of its own: "one big spot at the top, the other between R7 and R11"."""
 _BOTH: Final = re.compile(r"\bboth\b[^,;:.]*")
 """What is said of the two of them behind their places: "both pointing up"."""
-_HAIR: Final = re.compile(
-    r"\b(?:sew|stitch|knot|attach)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around)\b)[^.,;]){0,40}"
-    r"(?P<hair>(?:\band\s+(?:the\s+)?)?\bhair\b)(?!\s*(?:bow|tie|band|clip|ribbon|line))"
-)
-"""Strands of yarn that are sewn to a head, where no part is hair."""
-_BUTTONS: Final = re.compile(
-    r"\b(?:buttons|beads)\s+(?:and\s+(?:sew|glue|stitch|attach)\s+(?:them\s+)?)?(?:(?:for|as)\s+(?:the\s+)?eyes\s+)?(?:\w+ly\s+)?(?:to|on|onto)\s+"
-    r"(?:(?:each|either)\s+side\s+of\s+)?(?:the\s+)?(?:front\s+of\s+(?:the\s+)?)?(?:head|face)\b"
-)
-"""Buttons on a head that nobody calls eyes."""
 
 
 class Heard:
@@ -190,10 +173,10 @@ class Heard:
         return True
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
-        low = _MEET.sub("at neck of body", low)
+        low = MEET.sub("at neck of body", low)
         found = mentions(low, self.parts)
         at = where(low)
-        hair = _HAIR.search(low)
+        hair = SEWN_HAIR.search(low)
         if hair and not any({"hair", "wig"} & set(p.words) for p in self.parts):
             if not any(f.what == "hair" for f in self.features):
                 host = self._on([m for m in found if m.start > hair.start()], low)
@@ -246,13 +229,13 @@ class Heard:
                 place = own if own.says or own.wide else at if piece is low or not at.beside else replace(at, beside=())
                 self.features.append(Feature(name, host, self._region(low), place, sentence.span, order, color, low))
             return True
-        if _BUTTONS.search(low) and not re.search(r"\b(?:eyes?|nose|nostril)", low):
+        if BUTTONS.search(low) and not re.search(r"\b(?:eyes?|nose|nostril)", low):
             head = next((p for p in self.parts if p.single and p.kind == "head"), None)
             place = replace(at, words=frozenset(), beside=())
             host = None if head is None else (head, 1)
             self.features.append(Feature("safety eyes", host, "head", place, sentence.span, order, None, "eyes"))
             return True
-        if (_THREAD.search(low) or "embroider" in low) and not re.search(r"\b(?:sew|attach|whipstitch)\b", low):
+        if (THREAD.search(low) or "embroider" in low) and not re.search(r"\b(?:sew|attach|whipstitch)\b", low):
             return False  # "satin stitch over the bridge of the beak": no thing that is known is drawn there
         return self._put(low, found, at, sentence, order)
 

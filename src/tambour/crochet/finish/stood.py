@@ -1,0 +1,96 @@
+"""Stood: sewn toys brought to stand as one sets them on a table, and clothed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import StitchGraph
+from tambour.geometry.motion import fit, turned
+
+if TYPE_CHECKING:
+    from tambour.crochet.finish.joining import Joined
+    from tambour.crochet.finish.shape import Task
+
+TIPS = 12.0
+"""By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
+
+
+def standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
+    """Every piece that parts were sewn to, turned back to where the part that they stand on stood by itself."""
+    x, c = x.copy(), c.copy()
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    moved = {int(task.graph.part[pairs[0, 0]]) for pairs in joined.seams}
+    for k in np.unique(piece[joined.held[:, 0]]):
+        own = [p for p in np.unique(task.graph.part[piece == k]) if int(p) not in moved]
+        base = np.flatnonzero(np.isin(task.graph.part, own) & (piece == k))
+        turn, shift = fit(x[base], joined.x[base], np.ones(len(base)))
+        x[piece == k] = turned(x[piece == k], turn) + shift
+        for p in np.unique(task.graph.part[piece == k]):
+            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]], turn) + shift
+    return x, c
+
+
+def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
+    """Every sewn toy set down: turned a little, so that it stands or sits where it would not tip over."""
+    from tambour.geometry.stance import righted, set_down
+
+    x, c = x.copy(), c.copy()
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    looks, on = looks_of(task, x, joined)
+    for k in np.unique(piece[joined.held[:, 0]]):
+        own = piece == k
+        middle = x[own].mean(0)
+        off = x[own] - middle
+        if pitch := righted(off, looks[piece[on] == k]):
+            way = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])
+            x[own] = turned(off, way) + middle
+            for p in np.unique(task.graph.part[own]):
+                c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, way) + middle
+            off = x[own] - middle
+        # With its mirror image a toy tips ahead or back only: what is a little heavier on one side stands all the same.
+        turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
+        x[own] = turned(x[own] - middle, turn) + middle
+        for p in np.unique(task.graph.part[own]):
+            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
+    return x, c
+
+
+def looks_of(task: Task, x: Array, joined: Joined) -> tuple[Array, Array]:
+    """The ways (M, 3) that faces look, and a node (M,) of the part that each is on."""
+    from tambour.crochet.finish.placing import frames
+    from tambour.crochet.language.finishes import Embroidery, Eye, spots_of
+
+    joining = task.joining
+    faces = [] if joining is None else [f for f in joining.built.pattern.finish if isinstance(f, (Eye, Embroidery))]
+    if joining is None or not faces:
+        return np.zeros((0, 3)), np.zeros(0, int)
+    spots = [spots_of(f)[0] for f in faces]
+    on = [task.graph.parts[joining.spots.parts[s.part]].start for s in spots]
+    return frames(joining.spots, x, spots, joined.upright).normals, np.array(on)
+
+
+def clad(task: Task, x: Array, joined: Joined, piece: Array) -> tuple[Task, Array, Joined]:
+    """Clothes put on who wears them, and held there by a few stitches."""
+    worn = task.joining.built.pattern.worn if task.joining is not None else ()
+    if not worn or task.joining is None:
+        return task, x, joined
+    from tambour.crochet.finish.dressed import dressed
+    from tambour.crochet.finish.joining import with_seams
+
+    x, tacks = dressed(task.joining.spots, x, joined.upright, worn, piece)
+    task = replace(task, graph=with_seams(task.graph, tacks, task.width))
+    return task, x, replace(joined, seams=(*joined.seams, tacks))
+
+
+def upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:
+    """Which way is up on every part (P, 3), now that its nodes are at x."""
+    up = joined.upright.copy()
+    for k, p in enumerate(graph.parts):
+        if p.end > p.start:
+            turn, _ = fit(joined.x[p.start : p.end], x[p.start : p.end], np.ones(p.end - p.start))
+            up[k] = turned(up[k], turn)
+    return up
