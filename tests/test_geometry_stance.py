@@ -72,7 +72,11 @@ def test_what_stands_stays_and_no_face_is_turned_to_the_sky() -> None:
     # On one leg behind its middle it would rest on its back: its face would look up, so a hand holds it.
     leg = np.array([(0.0, h, -2.0) for h in np.linspace(0.0, 4.0, 12)])
     x = np.vstack(
-        [leg, leg + [0.0, 4.0, 0.0], np.array([(s, 8.0, z) for s in (-1, 1) for z in np.linspace(-2.0, 4.0, 40)])]
+        [
+            leg,
+            leg + np.array([0.0, 4.0, 0.0]),
+            np.array([(s, 8.0, z) for s in (-1, 1) for z in np.linspace(-2.0, 4.0, 40)]),
+        ]
     )
     turn = righted(x, ahead)
     assert math.cos(turn) > 0.5
