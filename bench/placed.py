@@ -140,6 +140,8 @@ def _face(piece: Plush, own: list[int], kinds: dict[int, Made]) -> list[str]:
         [math.sin(azimuth) * math.cos(elevation), math.sin(elevation), math.cos(azimuth) * math.cos(elevation)]
     )
     faces = graph.faces[np.isin(graph.part[graph.faces], own).all(1)]
+    if not len(faces):
+        return ["face: on what has no fabric"]
     near, stitch, wrong = tree(x, faces), graph.stitch_width, []
     eyes = [(r, w) for r, w in shown if isinstance(r, Eye)] or shown
     visible = 0
