@@ -7,6 +7,7 @@ from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.dressed import Wearer, wears
 from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed
 from tambour.crochet.looks import in_sight
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
@@ -140,3 +141,30 @@ def test_pieces_of_clothes_are_not_worn_by_themselves(name: str) -> None:
 
 def test_clothes_for_a_doll_that_is_not_made_here_lie_beside_each_other() -> None:
     assert read_printed(Text("DOLL CLOTHES\n\n" + DRESS + "\n" + SKIRT, "clothes.txt")).worn == ()
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        "Make 1 with B and 1 with C for Kitty, Make 1 with A and 1 with C for Puppy",
+        "make 1 with A and 1 with B for Cat, make 1 with B and 1 with C for Dog",
+        "Make 1 with C and 1 with A for Bear, Make 1 with A and 1 with B for Fox",
+    ],
+)
+def test_one_limb_in_each_of_two_colours_is_a_pair(how: str) -> None:
+    """A bear had one arm, one ear and one leg: the others were in another colour, and taken for another toy's."""
+    limbs = "".join(
+        f"{kind}: ({how})\nRnd 1: 6 sc in MR (6)\nRnds 2-9: sc around (6)\nFasten off. Sew {kind.title()} to {to}.\n\n"
+        for kind, to in (("ARMS", "Body"), ("LEGS", "Body"), ("EARS", "Head"))
+    )
+    text = (
+        "MATERIALS\nA: Red\nB: Blue\nC: Green\n\n"
+        + DOLL.split("LEGS")[0]
+        + limbs
+        + "FINISHING\nSew the head to the body.\n"
+    )
+    found = [f for f in read_printed(Text(text, "posy.txt")).finish if isinstance(f, Placed)]
+    for kind in ("ARMS", "LEGS", "EARS"):
+        pair = [f for f in found if kind in f.part]
+        assert len(pair) == 2 and len({f.part for f in pair}) == 2
+        assert pair[0].spot.round == pair[1].spot.round and pair[0].spot.stitch != pair[1].spot.stitch

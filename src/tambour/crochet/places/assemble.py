@@ -37,6 +37,8 @@ _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
 _LAYERS: Final = frozenset(("ear", "wing", "fin", "leaf", "foot", "tail"))
 """Kinds of things that are made of two layers, one in another colour."""
+_PAIRS: Final = frozenset(("ear", "wing", "foot"))
+"""Kinds of things of which a toy has two, one each side."""
 DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
@@ -62,7 +64,9 @@ class Assembly(Hosts):
         twins = [
             p for p in built.pattern.parts if p.twin and p.name not in around and p.copies == under[p.heading].copies
         ]
-        second = {p.name for p in twins if kind_of(one(p.heading.lower().split()[-1])) in _LAYERS}
+        kinds = {p.name: kind_of(one(p.heading.lower().split()[-1])) for p in twins}
+        # One ear in each of two colours is a pair; two in each are its layers.
+        second = {p.name for p in twins if kinds[p.name] in _LAYERS and not (p.copies == 1 and kinds[p.name] in _PAIRS)}
         behind = [*behind, *(p for p in now if p.name in second)]  # of tubes that lie on each other one is seen
         self.parts = [p for p in self.parts if p not in later and p not in behind]
         self.made.apart += [p.name for p in later]
@@ -247,8 +251,27 @@ class Assembly(Hosts):
             )
             order += 1
 
+    def _paired(self) -> None:
+        """One limb in each of two colours, said in one sentence, are the two of a pair."""
+        heading = {p.name: p.heading for p in self.built.pattern.parts if p.heading and p.copies == 1}
+        found: list[Put] = []
+        for p in self.heard.puts:
+            name = p.copies[0][0].name
+            alike = [
+                q
+                for q in found
+                if name in heading and q.span == p.span and len(q.copies) == len(p.copies) == 1
+                if heading.get(q.copies[0][0].name) == heading[name] and q.copies != p.copies
+            ]
+            if alike and p.kind in {*_PAIRS, "leg", "arm"}:
+                alike[0].copies.append(p.copies[0])
+            else:
+                found.append(p)
+        self.heard.puts = found
+
     def _tree(self) -> list[Put]:
         """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""
+        self._paired()
         main = self.main
         exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
         seen: set[Copy] = {(main, 1)}

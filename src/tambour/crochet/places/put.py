@@ -116,7 +116,7 @@ class Putter(Jointer):
             ways = [pair[1] if right else pair[0]]
         if (
             kind in ("leg", "foot")
-            and made.copies == 1
+            and made.copies == len(put.copies) == 1
             and re.search(r"(?:legs|feet|pants|trousers)$", made.name.lower())
         ):
             ways = [Way((0.0, -1.0, 0.0), (0.0, -1.0, 0.0), flat=False)]  # both in one piece: the lower end of the body

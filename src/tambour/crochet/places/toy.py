@@ -161,6 +161,8 @@ def versions(parts: list[Made]) -> list[Made]:
     sorts: dict[str, dict[str, list[Made]]] = {}
     for part in parts:
         own = [w for w in part.words if not kind_of(w) and w not in SIDED | _PLACES]
+        if part.copies == 1:
+            own = [w for w in own if len(w) > 1]  # one leg in yarn B, the other in yarn C
         if part.kind and own and len(part.words) > 1 and not part.worn:
             sorts.setdefault(part.kind, {}).setdefault(own[0], []).append(part)
     rival = [set(by) for kind, by in sorts.items() if len(by) > 1]
