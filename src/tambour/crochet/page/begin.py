@@ -79,7 +79,7 @@ def paragraph(
 
 def photo(picture: Picture, width: float, high: float) -> Atom:
     """A picture in the middle of a column."""
-    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high, photo=True))
+    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high, photo=True), 4.0)
 
 
 def pair(left: str, right: str, width: float, share: float = 0.45, bold: bool = True) -> Atom:

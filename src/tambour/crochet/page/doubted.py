@@ -34,8 +34,8 @@ def _gap(line: Line) -> bool:
     return any(isinstance(item, Action) and item.name == "gap" for item in line.items)
 
 
-def her_words(pattern: Pattern, line: Line, terms: Terms) -> str:
-    """What a line says, without the number of its round and its count, which stand beside it."""
+def her_words(pattern: Pattern, line: Line, terms: Terms, count: int = 0) -> str:
+    """What a line says, without the number of its round and its ``count``, which stand beside it."""
     begin, end = line.span.start, line.span.end
     text, stated = pattern.text.text, line.stated_span
     words = text[begin:end]
@@ -53,4 +53,8 @@ def her_words(pattern: Pattern, line: Line, terms: Terms) -> str:
         numbers = rf"\d+(?:st|nd|rd|th)?(?:\s*{_JOINT}\s*(?:{named})?\d+(?!\s*[^\W\d]))*"
         head = rf"^[\W_]*(?:{named}{numbers}\s*[^\w\s(\[*]*|{numbers}\s*[^\w\s(\[*]+)\s*"
         words = re.sub(head, "", words, count=1, flags=re.IGNORECASE)
+    if count:  # "(18)", "= 14"
+        words = re.sub(
+            rf"(?:\s*[-–—:]*\s*[(\[{{=]\s*|(?<=[.;,])\s+){count}(?:\s+[^\W\d]+\.?)?\s*[)\]}}]?\W*$", "", words
+        )
     return re.sub(r"\\([*_\[\]()-])", r"\1", " ".join(words.split()))  # as Markdown escapes them

@@ -157,7 +157,7 @@ class Rounds:
         """Her own words of a round that was not understood as she says it; "" where it was, or in another language."""
         if not line.hers or line.line is None or self.terms.code != self.pattern.terms:
             return ""
-        return her_words(self.pattern, line.line, self.terms)
+        return her_words(self.pattern, line.line, self.terms, line.said or line.count)
 
     def _stitch(self, done: Done) -> str:
         if done.labels:  # the part that it goes through as well
