@@ -160,7 +160,7 @@ class Taken:
                 said.append(own["took gap"].format(n=round(float(sum(near)))))
         elif high - low <= _LEVEL and turn < 60.0:
             level = round((low + high) / 2)
-            said = self._along(first, seams, level, len(alike), min(hers, key=lambda n: abs(n - level), default=level))
+            said = self._along(first, seams, level, len(alike), self._level(hers, level))
         else:
             said = self._across(alike, low, high, len(end.nodes) - len(end.pinched))
         return [*said, *self._points(alike), *self._rests(alike, host)]
@@ -213,15 +213,25 @@ class Taken:
         between = self.own["took between"].format(a=int(level), b=int(level) + 1)
         return self.own["its middle"].format(what=between)
 
+    @staticmethod
+    def _level(hers: tuple[int, ...], level: int) -> int:
+        """The number of a round, by her own; 0 for one between two of hers."""
+        if hers and hers[1] - hers[0] == 1:
+            return 0
+        return min(hers, key=lambda n: abs(n - level), default=level)
+
     def _along(self, first: Placed, seams: list[Array], level: int, copies: int, named: int) -> list[str]:
         """Of an edge along a round the stitches from the middle, the first of them beside it; how many are between two.
 
-        named : the number that the round has in her sentence
+        named : the number that the round has in her sentence; 0 where she says it to be between two
         """
         count = self._count(self.spots.parts[first.spot.part], level)
         lone = any(s[:, 1].min() * s[:, 1].max() < 0.0 and abs(s[:, 1]).max() < count / 4 for s in seams)
         if lone or not count:
-            return [self.own["took round"].format(n=named), self._middle(first, abs(self.off(first.spot)[0]), count)]
+            return [
+                self.own["took round"].format(n=named or level),
+                self._middle(first, abs(self.off(first.spot)[0]), count),
+            ]
         far = float(np.mean([abs(s[:, 1]).mean() for s in seams])) > count / 4
         offs = [count / 2 - abs(s[:, 1]) if far else abs(s[:, 1]) for s in seams]
         a, b = (max(1, round(float(np.mean([end(o) for o in offs])) + 0.49)) for end in (np.min, np.max))
@@ -230,7 +240,8 @@ class Taken:
             if self._lies(first.spot.part)
             else ("side back" if far else "side front")
         )
-        said = [self.own["took edge"].format(n=named, a=a, b=b, side=self.own[key])]
+        edge = self.own["took edge"].format(n=named or level, a=a, b=b, side=self.own[key])
+        said = [edge if named else edge.partition(",")[2].strip()]  # "between rounds 8 and 9" she says herself
         return [*said, *([self.own["took gap"].format(n=2 * (a - 1))] if copies == 2 and a > 1 else [])]
 
     def _across(self, alike: list[Placed], low: int, high: int, stitches: int) -> list[str]:

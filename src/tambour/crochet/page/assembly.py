@@ -71,7 +71,7 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
                 lines += paragraph(note, width, SMALL, SOFT, 0.9)
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
     if any(step.fresh for step in found):
-        chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
+        chunks[0].atoms[:0] = paragraph(book.own["new"], width, SMALL, SOFT)  # of all steps: it stands above them
     return _with_hers(book, found, chunks)
 
 
