@@ -22,7 +22,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
-from tambour.crochet.yarn import clearance, course, fabric, lead, loops, spline, surface
+from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, spline, surface
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -498,3 +498,75 @@ def test_strands_as_tubes_are_clean_by_another_checker(
     fabric.strands(made.built.graph, made.positions)
     (before, _), (after, looked) = told
     assert before > 10_000 and after == 0 and looked > 10_000
+
+
+DISC = "".join(f": {line}\n" for line in ("MR(6)", "6 inc", "[sc, inc] x 6", "[2 sc, inc] x 6", "[3 sc, inc] x 6"))
+POT = DISC + ": BLO, 30 sc\n: 30 sc\n: 30 sc\n"
+CONE = "".join(
+    f": {line}\n" for line in ("MR(6)", "6 sc", "[sc, inc] x 3", "9 sc", "[2 sc, inc] x 3", "12 sc", "12 sc")
+)
+
+
+@pytest.mark.parametrize("text", [DISC, POT, CONE])
+def test_the_heads_at_an_edge_are_links_of_a_chain(text: str) -> None:
+    """Narrow where one comes out of the link before, wide where it lies about the next; inside the fabric they are drawn flat."""
+    graph, _ = piece(text)
+    made = lead.way(graph)
+    free = np.setdiff1d(np.arange(1, len(graph)), graph.anchors)
+    spread = {}
+    for i in range(1, len(graph) - 1):
+        head = made.at[(made.cell == i) & (made.at[:, 1] > 0.95)]
+        spread[i] = float(np.ptp(head[head[:, 0] > 0.8, 2]))
+    edge, inside = [spread[i] for i in free[:-1]], [spread[i] for i in range(1, len(graph) - 1) if i not in free]
+    assert len(edge) >= 10 and np.median(edge) > 1.4 * np.median(inside)
+
+
+@pytest.mark.parametrize(("text", "flat"), [(DISC, True), (POT, False), (CONE, False)])
+def test_the_end_of_an_open_spiral_is_slipped_in(text: str, flat: bool) -> None:
+    """No step is left in the outline of a disc, nor in the rim of a pot: it was a whole row high."""
+    made = make(Text("@stuffing = none\n" + text), CrochetParams(), Progress())
+    graph, x = made.built.graph, made.positions
+    assert list(edges.slipped(graph, lead.roles(graph))) == [len(graph) - 1]
+    coords = fabric.strands(graph, x).paths.coords
+    # The axis from the ring on, and the outline about it: how far out, or how high up, by twentieths of a turn.
+    rim = x[graph.round == graph.round.max()].mean(0)
+    own = x - x.mean(0)
+    axis = np.linalg.svd(own)[2][2] if flat else (rim - x[0]) / np.sqrt(((rim - x[0]) ** 2).sum())
+    right = np.cross(axis, (0.31, 0.77, 0.2))
+    right /= np.sqrt((right**2).sum())
+    off = coords - (x[0] if flat else rim)
+    a, b = off @ right, off @ np.cross(axis, right)
+    size = np.sqrt(a * a + b * b) if flat else off @ axis
+    turn = ((np.arctan2(b, a) / (2 * np.pi)) % 1.0 * 20).astype(int)
+    outline = np.array([size[turn == k].max() for k in range(20)])
+    jump = np.abs(outline - np.roll(outline, 1)).max()
+    assert jump < 0.62 * graph.stitch_width, jump
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        STRIPES,
+        ": MR(6), join\n: ch, 6 inc, join\n: ch, [sc, inc] x 6, join\n",
+        ": 13 ch, turn\n: 12 sc, turn, ch\n: 12 sc, turn, ch\n: 12 sc\n",
+        ": 13 ch, turn\n: 12 sc\n",
+    ],
+)
+def test_what_is_closed_joined_or_worked_in_rows_has_no_such_end(text: str) -> None:
+    graph, _ = piece(text)
+    assert not edges.slipped(graph, lead.roles(graph))
+
+
+def test_an_end_that_is_sewn_is_not_slipped_in() -> None:
+    """What is sewn on keeps its last round whole: the seam holds every stitch of it."""
+    text = (
+        "== A ==\n@stuffing = light\n"
+        + CONE
+        + "== B ==\n@stuffing = light\n"
+        + DISC
+        + ": 30 sc\n: 30 sc\nplace(A, B, round=3, stitch=4)\n"
+    )
+    made = make(Text(text), CrochetParams(), Progress())
+    graph = made.built.graph
+    ends = edges.slipped(graph, lead.roles(graph))
+    assert [int(graph.part[i]) for i in ends] == [1]

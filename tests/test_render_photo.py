@@ -12,8 +12,9 @@ import numpy as np
 from tambour import run as runner
 from tambour.color import linear
 from tambour.core.mesh import Mesh
-from tambour.render import photo, raster
+from tambour.render import photo, raster, setting
 from tambour.render.camera import THREE_QUARTER
+from tambour.render.tables import TABLES
 
 
 def sphere(color: tuple[int, int, int] = (120, 160, 90)) -> Mesh:
@@ -89,3 +90,57 @@ def test_an_empty_mesh_is_the_bare_table() -> None:
         ..., :3
     ]
     assert made.min() > 90
+
+
+def moved(mesh: Mesh, x: float, y: float, z: float) -> Mesh:
+    return Mesh(mesh.vertices + np.array((x, y, z)), mesh.faces, color=mesh.color)
+
+
+def test_what_stands_beside_is_seen_soft_and_moves_nothing() -> None:
+    """The thing is framed without it, and stays as it is drawn; the table takes its shadow."""
+    asked: dict[str, Any] = {"width": 96, "height": 96, "samples": 2, "lights": 30, "azimuth": 0.0, "elevation": 0.2}
+    alone = photo.picture(sphere(), **asked).rgba[..., :3].astype(int)
+    other = moved(sphere((200, 40, 40)), -14.0, 0.0, -24.0)
+    both = photo.picture(sphere(), beside=other, **asked).rgba[..., :3].astype(int)
+    red = (both[..., 0] - both[..., 1] > 60) & (alone[..., 0] - alone[..., 1] < 40)
+    assert red[:, :40].sum() > 150 and red[:, 60:].sum() == 0
+    # The thing's own pixels are those of before, but for a little of light and grain.
+    middle = np.abs(both - alone)[34:62, 40:66]
+    assert np.median(middle) <= 3
+    # With a wide lens its rim is softer than with a narrow one.
+    rims = []
+    for open in (0.002, 0.2):
+        row = photo.picture(sphere(), beside=other, open=open, **asked).rgba[int(np.median(np.flatnonzero(red.any(1))))]
+        rims.append(int(np.abs(np.diff(row[:30, 0].astype(int) - row[:30, 1])).max()))
+    assert rims[1] < 0.7 * rims[0]
+
+
+def test_the_wall_shows_the_windows_light_on_its_far_side() -> None:
+    """Aslant, out of focus, on the side that the window is not on; a sheet that bends up shows none."""
+    for name, table in TABLES.items():
+        wall = setting.wall(120, 90, table).sum(2)
+        assert wall.shape == (90, 120) and (wall > 0.0).all()
+        steps = np.abs(np.diff(wall, axis=1))
+        if table.wall is None:
+            assert steps.max() < 1e-12, name
+            continue
+        right = steps[:40, 75:].max() > 2.0 * steps[:40, :45].max()
+        assert right == (table.side > 0.0), name
+        assert steps.max() < 0.2 * wall.mean()  # soft: no edge is drawn
+
+
+def test_a_thin_sheet_has_no_dark_halo_on_the_table() -> None:
+    """On the window's side what lies flat throws no shadow; away from it a narrow one."""
+    flat = sphere((220, 215, 205))
+    flat = Mesh(flat.vertices * (2.0, 0.06, 2.0), flat.faces, color=flat.color)
+    made = raster.shot(
+        flat, width=120, height=120, azimuth=0.0, elevation=radians(76.0), lens=radians(26.0), samples=2, lights=60,
+        table="painted", margin=photo.ROOM, cells=photo.CELLS,
+    )  # fmt: skip
+    cover, table = made.light[..., 3], made.behind.sum(2)
+    row = np.flatnonzero(cover[60] > 0.5)
+    left, right = table[60, row[0] - 4 : row[0] - 1].mean(), table[60, row[-1] + 2 : row[-1] + 5].mean()
+    # The window of this table stands to the right or left as the table says.
+    lit, shaded = (left, right) if TABLES["painted"].side > 0.0 else (right, left)
+    far = np.median(table[60, 4:12])
+    assert lit > 0.80 * far and shaded < lit

@@ -17,7 +17,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.render.cover import cover, turn
 
-GAP, TOUCHED = 0.022, 0.75
+GAP, TOUCHED = 0.010, 0.6
 """How high a gap under a thing is, in its sizes, that a third as much light gets into; what part of it is kept out where it stands."""
 GOLDEN = pi * (3 - sqrt(5))
 
@@ -84,7 +84,7 @@ def studio(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array,
 
 
 def window(
-    azimuth: float, sky: int = 40, lamp: int = 10, *, side: float = 0.95, soft: float = 0.36
+    azimuth: float, sky: int = 40, lamp: int = 10, *, side: float = 0.95, soft: float = 0.22
 ) -> tuple[Array, Array, Array]:
     """A pale room lit by a window beside and above the camera: softer than a lamp, and more of the light.
 
@@ -99,9 +99,9 @@ def window(
     # The room is brighter on the window's side; the table sends up what is left.
     cool, warm = np.array([0.96, 0.99, 1.04]), np.array([1.10, 0.98, 0.82])
     bright = np.where(height > 0, 0.42 + 0.3 * height, 0.22 - 0.06 * height) * (1.0 + 0.45 * (dome @ towards))
-    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (2.35 / sky)
+    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (1.72 / sky)
     lamps = directions(lamp, towards, soft)
-    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (1.34 / lamp), (lamp, 3))
+    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (1.78 / lamp), (lamp, 3))
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 
 

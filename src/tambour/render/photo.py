@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 from math import radians
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from tambour.core.threads import WORKERS
 from tambour.noise import stream
 from tambour.render import raster
 from tambour.render.camera import THREE_QUARTER
-from tambour.render.light import shine, window
+from tambour.render.light import stand, unbroken, window
 from tambour.render.tables import TABLES
 
 SAMPLES: Final = 4
@@ -25,11 +25,13 @@ LIGHTS: Final = 160
 """Lights that sky and window are made of."""
 OPEN: Final = 0.022
 """How wide the lens is open, as a share of the thing's size."""
+BEHIND: Final = 0.6
+"""How much softer than the thing's own far side is what stands behind it: the lens is open for a picture of the thing alone."""
 FALLOFF: Final = 0.16
 """How much less light the picture's corners get."""
-BRIGHT: Final = 0.8
+BRIGHT: Final = 0.72
 """Light of the brightest fiftieth of a thing as a camera sets it, where it may."""
-EXPOSED: Final = (0.92, 1.3)
+EXPOSED: Final = (0.80, 1.15)
 """How long the film sees it at least and at most, against one that shows a white wall by the window just white."""
 GRAIN: Final = 0.8
 """Spread of the grain, in codes of 256."""
@@ -39,9 +41,13 @@ ROOM: Final = 0.76
 """What of the picture the thing fills."""
 SOFT: Final = 0.45
 """How wide a point is drawn by the lens, in pixels."""
+COLORED: Final = 0.90
+"""What a film keeps of a colour's strength."""
 SHARP: Final = 0.3
 """How much a camera sets edges off."""
-FINEST: Final = 480
+CELLS: Final = 512
+"""Cells along the side of the light on the table."""
+FINEST: Final = 560
 """Texels along the side of a shadow map."""
 COARSE: Final = 4.0
 """What is blurred wider than this, in pixels, is blurred at half the size."""
@@ -63,6 +69,7 @@ def picture(
     table: str = "oak",
     open: float = OPEN,
     cast: Mesh | None = None,
+    beside: Mesh | None = None,
 ) -> Picture:
     """A picture of a mesh on a table by a window, framed as :func:`tambour.render.raster.picture` does, with more room about it.
 
@@ -72,6 +79,7 @@ def picture(
     table : what it stands on, a name of :data:`tambour.render.tables.TABLES`
     open : how wide the lens is open, as a share of the thing's size; 0: all of the thing is sharp
     cast : a mesh of fewer faces within the same surface, which throws the shadows
+    beside : what stands behind the thing on its table, out of focus; the picture is framed without it
 
     The same bytes for any number of threads. Raises nothing for any mesh that is one.
 
@@ -80,29 +88,30 @@ def picture(
     """
     lamps = max(1, lights // 5)
     dark = mesh if cast is None else cast
-    lit = shine(
-        dark.vertices,
-        dark.faces,
+    lit = unbroken(
+        dark.vertices if beside is None else np.vstack([dark.vertices, beside.vertices]),
         *window(azimuth, lights - lamps, lamps, side=TABLES[table].side, soft=TABLES[table].soft),
         size=FINEST,
-        threads=WORKERS,
-        shut=raster.shut(dark),
     )
-    made = raster.shot(
-        mesh,
-        width=width,
-        height=height,
-        azimuth=azimuth,
-        elevation=elevation,
-        lens=lens,
-        samples=samples,
-        lights=lights,
-        lit=lit,
-        table=table,
-        margin=ROOM,
-    )
-    thing = _focused(made, samples, open) if open else made.light
-    light = thing[..., :3] + (1.0 - thing[..., 3:]) * made.behind
+    for each in (dark,) if beside is None else (dark, beside):
+        stand(lit, each.vertices, each.faces, raster.shut(each), threads=WORKERS)
+    view: dict[str, Any] = {
+        "width": width,
+        "azimuth": azimuth,
+        "elevation": elevation,
+        "lens": lens,
+        "lights": lights,
+        "lit": lit,
+        "table": table,
+        "margin": ROOM,
+    }
+    made = raster.shot(mesh, height=height, samples=samples, beside=beside, cells=CELLS, **view)
+    thing, behind = _focused(made, samples, open) if open else made.light, made.behind
+    if beside is not None and len(beside.faces):
+        whole = raster.shot(beside, height=len(behind), samples=2, frame=raster.shown(mesh), ground=False, **view)
+        far = _far(whole, made, open)
+        behind = far[..., :3] + (1.0 - far[..., 3:]) * behind
+    light = thing[..., :3] + (1.0 - thing[..., 3:]) * behind
     high, wide = light.shape[:2]
     # Glass and film scatter a little of what is bright.
     light = 0.985 * light + 0.015 * _blurred(light, 0.012 * max(high, wide))
@@ -113,6 +122,8 @@ def picture(
     light = _blurred(light, SOFT)
     shown = coded(raster.film(np.maximum(light + SHARP * (light - _blurred(light, 1.0)), 0.0)))
     shown = shown + CONTRAST * shown * (1.0 - shown) * (2.0 * shown - 1.0)
+    grey = shown @ np.array([0.299, 0.587, 0.114])
+    shown = grey[..., None] + COLORED * (shown - grey[..., None])
     # Grain is no single dots.
     grain = 3.0 * GRAIN * _blurred(stream("grain", wide, high).standard_normal((high, wide, 1)), 0.6)
     codes = np.clip(np.round(255.0 * shown + grain), 0, 255).astype(np.uint8)
@@ -126,6 +137,17 @@ def _exposure(thing: Array) -> float:
         return 1.0
     bright = float(np.quantile(seen[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32), 0.98))
     return float(np.clip(BRIGHT / max(bright, 1e-6), *EXPOSED))
+
+
+def _far(whole: raster.Shot, made: raster.Shot, open: float) -> Array:
+    """The light and coverage (H, W, 4) of what stands behind a thing, as blurred as it lies behind what is sharp."""
+    near = whole.near[np.isfinite(whole.near)]
+    if not len(near) or not open:
+        return whole.light
+    there = made.near[np.isfinite(made.near)]
+    sharp = float(np.quantile(there, 0.6)) if len(there) else float(near.max())
+    spread = BEHIND * open * made.size * made.camera.scale * abs(sharp - float(np.median(near)))
+    return _blurred(whole.light, min(spread, 0.03 * max(whole.light.shape[:2])))
 
 
 def _focused(made: raster.Shot, samples: int, open: float) -> Array:

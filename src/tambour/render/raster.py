@@ -30,7 +30,7 @@ MATERIALS: dict[str, tuple[float, ...]] = {
     "yarn": (0.55, 0.3, 0.0, 1.0, 4.0, 0.22, 0.035, 34.0, 0.85, 0.0105),
     "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.30, 0.018, 12.0, 0.5, 0.0085),
     "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.26, 0.026, 30.0, 0.8, 0.0095),
-    "chenille": (1.2, 0.6, 0.0, 1.0, 0.0, 0.0, 0.02, 110.0, 0.32, 0.022),
+    "chenille": (1.2, 0.5, 0.0, 1.0, 0.0, 0.0, 0.0, 260.0, 0.30, 0.026),
     "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010),
     "plied": (0.6, 0.25, 0.0, 1.0, 0.0, 0.0, 0.012, 8.0, 0.75, 0.012),
     "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0, 0.0, 0.0),
@@ -44,8 +44,10 @@ OPEN = 0.022
 """How wide the lens is open before a table, as a share of the thing's size: its far edge is soft."""
 BEND, SLOPE = 0.5, 0.10
 """Over how much of the picture's height a sheet bends up; how much more light comes to the window's side than to the middle."""
-NEARBY, BOUNCED = 1.4, 0.2
+NEARBY, BOUNCED = 1.2, 0.2
 """How much deeper the shadow is on a table that a wall is about; what part of the light that a thing takes from it it sends back, were it white."""
+SUNNY = 1.18
+"""How much more light falls on a table than on what stands upright: the window stands high."""
 _FINEST = 480  # texels along the side of a shadow map
 _BRIGHTEST = 16.0  # what is lighter differs by less than a code
 
@@ -135,8 +137,11 @@ def shot(
     lit: Lights | None = None,
     table: str = "",
     margin: float = MARGIN,
+    beside: Mesh | None = None,
+    cells: int = 160,
 ) -> Shot:
-    """What :func:`picture` develops; margin : of the camera."""
+    """What :func:`picture` develops; margin : of the camera; beside : what stands in the lights too, and on the same table, out of
+    this picture; cells : of the floor's light, along its side."""
     points = shown(mesh) if frame is None else frame
     camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens, margin=margin)
     height = camera.height
@@ -161,7 +166,11 @@ def shot(
         count = (azimuth, lights - lamps, lamps)
         all_of_them = window(*count, side=chosen.side, soft=chosen.soft) if chosen else studio(*count)
         lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, shut=rimless)
-    pool, plot = floor_light(lit, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
+    every = mesh.vertices if beside is None else np.vstack([mesh.vertices, beside.vertices])
+    low, high = points.min(0), points.max(0)
+    if beside is not None and len(beside.vertices):
+        low, high = np.minimum(low, beside.vertices.min(0)), np.maximum(high, beside.vertices.max(0))
+    pool, plot = floor_light(lit, low, high, cells) if ground else (np.ones((1, 1, 3)), np.zeros(3))
 
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
     surfaces = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
@@ -170,8 +179,8 @@ def shot(
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     color = palette[color]
-    if chosen and len(color):
-        pool, plot = touched(pool, plot, mesh.vertices, large)
+    if chosen and ground and len(color):
+        pool, plot = touched(pool, plot, every, large)
         # The room's own light is weaker, too, where the thing is near; and it sends back some of it, in its own colour.
         pool = pool**NEARBY
         pool = pool + BOUNCED * (1.0 - pool) ** 2 * color.mean(0)
@@ -219,13 +228,13 @@ def shot(
     room = np.zeros((height, width, 3), np.float32)
     behind(
         room,
-        wall(height, chosen) if chosen else plain(height, background),
+        wall(width, height, chosen) if chosen else plain(height, background),
         *view,
         float(points[:, 1].min()) if ground else np.nan,
         pool,
         plot,
         tile(chosen.grain) if chosen else np.zeros((0, 0, 0), np.float32),
-        linear(np.array((chosen.light, chosen.dark) if chosen else np.zeros((2, 3)))),
+        SUNNY * linear(np.array((chosen.light, chosen.dark) if chosen else np.zeros((2, 3)))),
         1.9 * large,
         focus,
         OPEN * large,

@@ -14,17 +14,36 @@ from tambour.render.tables import BOARD, LEVELS, NEARER, Table
 
 
 def plain(height: int, color: tuple[int, int, int] | None) -> Array:
-    """Linear light (height, 3) behind everything, row by row: of one colour, or a warm grey that lightens upwards."""
+    """Linear light (height, 1, 3) behind everything, row by row: of one colour, or a warm grey that lightens upwards."""
     if color is not None:
-        return np.broadcast_to(linear(np.array(color) / 255.0), (height, 3)).copy()
-    t = np.linspace(0, 1, height)[:, None]
+        return np.broadcast_to(linear(np.array(color) / 255.0), (height, 1, 3)).copy()
+    t = np.linspace(0, 1, height)[:, None, None]
     return np.asarray(linear(np.array([0.925, 0.915, 0.9]) * (1 - t) + np.array([0.855, 0.84, 0.82]) * t))
 
 
-def wall(height: int, table: Table) -> Array:
-    """Linear light (height, 3) of what stands behind a table, row by row: a little darker above."""
+def wall(width: int, height: int, table: Table) -> Array:
+    """Linear light (height, width, 3) of what stands behind a table, out of focus: brighter towards the window, and with the
+    window's light on it, pane by pane, where it has come across the room."""
+    from scipy.ndimage import gaussian_filter
+
     color = linear(np.array(table.light if table.wall is None else table.wall))
-    return np.asarray(color * np.linspace(0.9, 1.0, height)[:, None])
+    y, x = np.linspace(0.0, 1.0, height)[:, None], np.linspace(0.0, 1.0, width)[None] - 0.5
+    if table.wall is None:
+        return np.asarray(color * (0.9 + 0.1 * y + 0.0 * x)[..., None])
+    # To the window's side.
+    s = -x if table.side > 0.0 else x
+    # The light falls aslant: what lies further from the window lies lower.
+    across, down = (-s - PANES[0]) / PANES[2], (y - PANES[1] - 0.35 * (-s - PANES[0])) / PANES[3] * height / width
+    panes = (abs(across) < 1.0) & (abs(down) < 1.0) & (abs(across) > 0.07) & (abs(abs(down) - 0.33) > 0.05)
+    lit = gaussian_filter(panes.astype(np.float64), HAZE * max(width, height), mode="nearest")
+    shade = 0.66 + 0.1 * y + 0.26 * np.clip(s + 0.5, 0.0, 1.0) ** 1.5
+    return np.asarray(color * shade[..., None] + LIT * lit[..., None] * color * np.array([1.06, 1.0, 0.9]))
+
+
+PANES = (0.20, 0.12, 0.26, 0.34)
+"""Where the window's light falls on the wall, from the picture's middle and top, and half of how wide and high it is, in the picture's width."""
+HAZE, LIT = 0.016, 0.34
+"""How far out of focus the wall is, as a share of the picture; how bright the window's light is on it, as a share of its colour."""
 
 
 @inner
@@ -58,7 +77,7 @@ def _grain(tile: F4x3, which: int, s: float, v: float, wide: float) -> float:
 @kernel
 def behind(
     out: F4x3,
-    backdrop: F8x2,
+    backdrop: F8x3,
     eye: F8x1,
     axes: F8x2,
     scale: float,
@@ -76,7 +95,7 @@ def behind(
 ) -> None:
     """Fill ``out`` (H, W, 3) float32, linear light, with the ground and what stands behind it.
 
-    backdrop : (H, 3), the plain ground's light; eye, axes, scale : the camera; ground : height of the floor, or NaN
+    backdrop : (H, W or 1, 3), the plain ground's light; eye, axes, scale : the camera; ground : height of the floor, or NaN
     pool, plot : its light, of :func:`tambour.render.light.floor_light`
     tile : of :func:`tambour.render.tables.tile`, or (0, 0, 0): a table of boards ``plank`` mm wide; oak : (2, 3), its light and dark
         light; end : mm, how far behind the focus it ends, before a wall; bend : over how much of the picture's height it bends up to be the wall, 0 for an edge;
@@ -104,7 +123,7 @@ def behind(
             dy = rx * axes[0, 1] + ry * axes[1, 1] - scale * axes[2, 1]
             dz = rx * axes[0, 2] + ry * axes[1, 2] - scale * axes[2, 2]
             for c in range(3):
-                color[c] = backdrop[row, c]
+                color[c] = backdrop[row, min(column, backdrop.shape[1] - 1), c]
             down = ground == ground and dy < -1e-6
             floor_share = 1.0 if down else 0.0
             if side > 0:

@@ -39,16 +39,16 @@ class Table:
     dark: tuple[float, float, float]
     wall: tuple[float, float, float] | None
     side: float = 0.95
-    soft: float = 0.36
+    soft: float = 0.22
 
 
 TABLES: Final[dict[str, Table]] = {
     "oak": Table("wood", (0.80, 0.70, 0.57), (0.56, 0.42, 0.29), (0.86, 0.85, 0.83)),
-    "paper": Table("paper", (0.90, 0.885, 0.86), (0.84, 0.825, 0.80), None, -0.80, 0.55),
-    "linen": Table("linen", (0.86, 0.825, 0.76), (0.56, 0.51, 0.44), (0.84, 0.84, 0.83), -1.05, 0.40),
-    "painted": Table("painted", (0.90, 0.895, 0.885), (0.62, 0.61, 0.60), (0.80, 0.82, 0.83), 1.10, 0.45),
-    "stone": Table("stone", (0.68, 0.67, 0.655), (0.45, 0.445, 0.44), (0.80, 0.79, 0.77), 0.75, 0.50),
-    "walnut": Table("wood", (0.50, 0.37, 0.27), (0.26, 0.17, 0.11), (0.75, 0.73, 0.70), -0.90, 0.36),
+    "paper": Table("paper", (0.90, 0.885, 0.86), (0.84, 0.825, 0.80), None, -0.80, 0.34),
+    "linen": Table("linen", (0.86, 0.825, 0.76), (0.56, 0.51, 0.44), (0.84, 0.84, 0.83), -1.05, 0.26),
+    "painted": Table("painted", (0.90, 0.895, 0.885), (0.62, 0.61, 0.60), (0.80, 0.82, 0.83), 1.10, 0.27),
+    "stone": Table("stone", (0.68, 0.67, 0.655), (0.45, 0.445, 0.44), (0.80, 0.79, 0.77), 0.75, 0.30),
+    "walnut": Table("wood", (0.50, 0.37, 0.27), (0.26, 0.17, 0.11), (0.75, 0.73, 0.70), -0.90, 0.22),
 }
 """By name: oak and walnut boards, a sheet of paper, a linen cloth, painted boards, stone."""
 

@@ -58,13 +58,17 @@ def whole(piece: Plush, *, width: int = 1200) -> Picture:
 
 def photo(piece: Plush) -> Picture:
     """The toy as a camera would take it: its yarn near to, in soft light, sharp in its middle, a little grain."""
-    return _taken(piece, "photo")
+    return _taken(piece, "photo", staged=True)
 
 
-def _taken(piece: Plush, detail: str | None, **asked: Any) -> Picture:
-    """A photo of the toy on its table; detail : of its yarn; asked : of :func:`tambour.render.photo.picture`."""
+def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any) -> Picture:
+    """A photo of the toy on its table; detail : of its yarn; staged : with balls of its yarn behind it; asked : of
+    :func:`tambour.render.photo.picture`."""
     from tambour.crochet.looks import toy
+    from tambour.crochet.page.pictures import lies
+    from tambour.crochet.page.skein import beside
     from tambour.render.photo import picture
+    from tambour.render.tables import TABLES
 
     (azimuth, elevation), made, cast = stand(piece), toy(piece, detail=detail), toy(piece, detail="low")
     if sheet(piece):
@@ -75,7 +79,10 @@ def _taken(piece: Plush, detail: str | None, **asked: Any) -> Picture:
     else:
         deep = sagging(piece)
         made, cast = pressed(made, deep), pressed(cast, deep)
-    return picture(made, azimuth=azimuth, elevation=elevation, table=table(piece), cast=cast, **asked)
+    on = table(piece)
+    if staged:
+        asked["beside"] = beside(piece, made, azimuth, TABLES[on].side, sheet(piece) or lies(piece))
+    return picture(made, azimuth=azimuth, elevation=elevation, table=on, cast=cast, **asked)
 
 
 def table(piece: Plush) -> str:

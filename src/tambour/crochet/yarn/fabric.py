@@ -12,9 +12,10 @@ from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
-from tambour.crochet.yarn.course import Course, course, place
+from tambour.crochet.yarn.course import Course, course, leaning, place
+from tambour.crochet.yarn.edges import eased, slipped
 from tambour.crochet.yarn.fibres import KINDS
-from tambour.crochet.yarn.lead import Way, way
+from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO, TALL
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
@@ -34,6 +35,8 @@ ERECT = 1.1
 """How far stitches' legs are brought upright for what their column does not lean, in times of that: not quite all of it shows."""
 MOST = 0.5
 """Legs are brought upright by so much at the most, in widths over a stitch's height."""
+FULLER = 0.2
+"""How much thicker the legs of half doubles are in their middle."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -68,6 +71,8 @@ def strands(
     x = x + graph.stitch_width * _uneven(len(x))
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph, hold)
+    if slipped(graph, role := roles(graph)):
+        x = eased(graph, x, role, *leaning(graph, LEAN[hold]))
     rows = course(graph, x, LEAN[hold])
     at = _upright(_varied(led), led, graph, rows, LEAN[hold])
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
@@ -98,6 +103,7 @@ def strands(
     # A magic ring is drawn tight: no yarn presses it thin, or a hole would show.
     ring = (led.below >= 0) & (graph.peculiarity[np.maximum(led.below, 0)] == ROOT)
     wide = np.where(ring, 1.0, _pressed(led.at))
+    wide *= _fuller(led, graph)
     wide[hung & np.isin(graph.kind[led.cell], _named(graph, "fur"))] = OPENED
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
@@ -151,6 +157,16 @@ def _pressed(at: Array) -> Array:
         (1.05 - v) / 0.1, 0.0, 1.0
     )
     return np.asarray(1.0 - PRESSED * passing * through)
+
+
+def _fuller(led: Way, graph: StitchGraph) -> Array:
+    """How much thicker (P,) the legs of half doubles are: longer, and not drawn as tight as those of single crochets."""
+    high, (_, v, w) = graph.height[led.cell], led.at.T
+    half = (high > 1.2) & (high < TALL)
+    return np.asarray(
+        1.0
+        + FULLER * half * np.clip((w - 0.1) / 0.2, 0.0, 1.0) * np.clip(1.0 - abs(v / high - 0.5) / 0.5, 0.0, 1.0) ** 0.5
+    )
 
 
 def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float) -> Array:

@@ -23,7 +23,7 @@ KINDS: Final[dict[str, Fibre]] = {
     "wool": Fibre("yarn", 1.0, 4),
     "cotton": Fibre("cotton", 0.94, 4),
     "acrylic": Fibre("acrylic", 1.0, 4),
-    "chenille": Fibre("chenille", 1.08, 0),
+    "chenille": Fibre("chenille", 1.28, 0),
     "mohair": Fibre("mohair", 0.85, 0),
 }
 """Materials by name, as one sees them: wool, softly plied; mercerised cotton, smooth and a little shiny; acrylic; chenille,

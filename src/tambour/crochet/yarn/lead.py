@@ -10,6 +10,7 @@ from tambour.core.check import Array
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
 from tambour.crochet.yarn.course import STANDS
+from tambour.crochet.yarn.edges import braided, slip, slipped, tightened
 from tambour.crochet.yarn.ends import (
     AFTER,
     CHAINED,
@@ -42,17 +43,6 @@ from tambour.crochet.yarn.loops import (
 from tambour.geometry.motion import length
 from tambour.noise import stream
 
-# A slip stitch, from the top of the stitch that it is worked into.
-_SLIP = np.array(
-    [
-        (-0.05, 0.05, -0.30),
-        (-0.08, -0.05, 0.0),
-        (-0.02, 0.10, 0.33),
-        (0.15, 0.35, 0.34),
-        (0.35, 0.48, 0.10),
-        (0.42, 0.35, -0.28),
-    ]
-)
 # The hanging loop of a loop stitch, after the LOOPED-th point of the stitch.
 LOOPED = 8
 _HANGING = np.array(
@@ -105,9 +95,6 @@ _WRAP = np.array(
 # one sees it, in there, and inside to the next. Over the edge itself it would stand up as a tooth.
 _SEAM = np.array([(-0.06, -0.16, -0.1), (0.02, -0.2, 0.3), (0.12, -0.3, 0.48), (0.22, -0.44, 0.38), (0.26, -0.5, -0.2)])
 _UNDER = np.array([(0.0, -0.1, -0.45)])
-
-TIGHT = 0.6
-"""As far along the work, in stitches, a head keeps its place that is drawn tight."""
 
 # How far kinds bulge, against other groups of stitches in one place: clusters lie flat, bobbles and popcorns stand out.
 _BULGE = {"bobble": 1.1, "cl": 0.5, "popcorn": 1.35, "puff": 0.85}
@@ -177,6 +164,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
             head = at[int(start[i + 1]) - len(_WOUND) : int(start[i + 1])]
             head[:, :2] = _WOUND[:, :2]
             head[:, 2] = _WOUND[:, 2] * (graph.direction[i] or 1)
+    braided(graph, role, start, at)
     # A seam draws the heads of a part's last round down to what they are sewn to.
     sewn = np.zeros(n, np.bool_)
     sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
@@ -214,7 +202,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows, rise)
     for i, before, rows in _wraps(graph, role):
         pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows)
-    _tight(graph, role, follows, start, at)
+    tightened(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
     for i, path in _carried(graph, role, follows).items():
         follows[i] = True
@@ -231,9 +219,12 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         pieces.put(where, END, p, int(on[p]), behind(graph, p, INWARD), rise)
         pieces.begin(where, i)
         pieces.put(where, START, p, int(on[p]), behind(graph, p, OUTWARD), rise)
-    joins = graph.edges[graph.edge_kind == JOIN]
+    joins, over = graph.edges[graph.edge_kind == JOIN], np.zeros(n, np.bool_)
+    over[graph.anchors] = True
     for i, a in joins[(role[joins] != NONE).all(1)].tolist():
-        pieces.put(int(start[i + 1]), AFTER, a, -1, _SLIP, float(graph.height[a]))
+        pieces.put(int(start[i + 1]), AFTER, a, -1, slip(bool(over[a])), float(graph.height[a]))
+    for i, k in slipped(graph, role).items():
+        pieces.put(int(start[i + 1]), AFTER, k, -1, slip(False), float(graph.height[k]))
     tips = {int(graph.previous[t]) if graph.previous[t] >= 0 else int(t) - 1: t for t in _tips(graph)}
     last = np.ones(n, np.bool_)
     last[:-1] = ~follows[1:]
@@ -272,19 +263,6 @@ def _carried(graph: StitchGraph, role: Array, follows: Array) -> dict[int, list[
                 path.append(came[path[-1]])
             made[i] = path[::-1]
     return made
-
-
-def _tight(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:
-    """Where a flat row is fastened off the last head is drawn tight: nothing comes that it could lie over to."""
-    last = role != NONE
-    last[:-1] &= ~follows[1:]
-    joined = graph.edges[graph.edge_kind == JOIN][:, 0]
-    for i in np.setdiff1d(np.flatnonzero(last), joined).tolist():
-        own = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) if role[i] == STITCH else -1
-        if own >= 0 and (role[own] == NONE or (role[own] == STITCH and graph.direction[own] == graph.direction[i])):
-            continue  # a round: the head lies over to the round's first stitch
-        head = at[int(start[i + 1]) - (TOP[1] - HEAD) : int(start[i + 1]), 0]
-        head[head > TIGHT] -= 0.6 * (head[head > TIGHT] - TIGHT)
 
 
 def takes(graph: StitchGraph, stitch: tuple[float, float], hold: str = "over") -> Array:

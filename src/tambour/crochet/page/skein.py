@@ -1,0 +1,115 @@
+"""Skeins: balls of a piece's own yarn, that lie about behind it in its photo."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.mesh import Mesh
+from tambour.core.paths import Paths
+from tambour.core.strands import Strands
+from tambour.noise import stream
+
+if TYPE_CHECKING:
+    from tambour.crochet.piece import Plush
+
+LAYS: Final = 26
+"""How often the hand turns a ball while it winds."""
+TONES = 0.84, 1.04
+"""How light its lays are, beside one another."""
+TIMES: Final = 7
+"""How often it winds between two turns."""
+LARGE, LEAST, MOST = 0.17, 16.0, 42.0
+"""Radius of a ball, as a share of the piece's size, and mm at the least and at the most."""
+THINNEST: Final = 0.06
+"""Radius of the yarn of a ball, in radii of that, at the least: else one would see no yarn."""
+PLAIN: Final = (233, 225, 209)
+"""Colour of the second ball where the piece has but one."""
+
+
+def wound(middle: Array, size: float, thick: float, color: Array, number: int, surface: str) -> Mesh:
+    """A ball of yarn about ``middle`` (3,), of radius ``size``; thick : radius of its yarn; number : no two are wound alike."""
+    from tambour.crochet.finish.features import joined
+    from tambour.geometry.tube import sweep
+
+    rough, lines, tones = stream("skein", number), [], []
+    for lay in range(LAYS):
+        axis = rough.standard_normal(3)
+        axis /= np.sqrt((axis**2).sum())
+        # Each lay catches the light in its own way.
+        tones.append(np.clip(np.asarray(color) * rough.uniform(*TONES), 0, 255))
+        right = np.cross(axis, (0.3, 1.0, 0.2))
+        right /= np.sqrt((right**2).sum())
+        t = np.linspace(0.0, 2.0 * pi * TIMES, 44 * TIMES)
+        # Wound side by side, a little unevenly, each lay over those before; its ends lie under them.
+        high = 2.0 * thick * (t / (2.0 * pi) - 0.5 * TIMES) + 0.25 * thick * np.sin(1.3 * t + rough.uniform(0.0, 6.0))
+        out = size - thick - 0.9 * thick * (1.0 - lay / LAYS) - 1.5 * thick * (abs(t / t[-1] - 0.5) > 0.485)
+        flat = np.sqrt(np.maximum(out**2 - high**2, 0.0))[:, None]
+        lines.append(
+            middle
+            + flat * (np.cos(t)[:, None] * right + np.sin(t)[:, None] * np.cross(axis, right))
+            + high[:, None] * axis
+        )
+    paths = Paths.of(lines)
+    yarn = Strands(paths, np.full(len(paths.coords), thick), np.array(tones, np.uint8))
+    return joined([sweep(yarn, sides=8, wander=0.09, material=surface), _core(middle, size - 2.6 * thick, color)])
+
+
+def _core(middle: Array, size: float, color: Array) -> Mesh:
+    """What one sees between the windings: the same yarn, deeper."""
+    rows, columns = 16, 24
+    up, turn = np.meshgrid(np.linspace(0, pi, rows), np.arange(columns) * 2 * pi / columns, indexing="ij")
+    points = np.stack([np.sin(up) * np.sin(turn), np.cos(up), np.sin(up) * np.cos(turn)], axis=-1).reshape(-1, 3)
+    i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns), indexing="ij")
+    a, b = i * columns + j, i * columns + (j + 1) % columns
+    faces = np.concatenate([np.stack([a, a + columns, b], -1), np.stack([b, a + columns, b + columns], -1)])
+    shade = (0.8 * np.asarray(color)).astype(np.uint8)
+    return Mesh(
+        middle + size * points,
+        faces.reshape(-1, 3),
+        color=np.tile(shade, (len(points), 1)),
+        face_group=np.zeros(2 * (rows - 1) * columns, np.int32),
+        group_names=("lining",),
+    )
+
+
+def beside(piece: Plush, shown: Mesh, azimuth: float, side: float, flat: bool) -> Mesh | None:
+    """Two balls of the piece's yarn on the table behind it; None for what has no yarn.
+
+    shown : the piece as it stands; azimuth : of who looks; side : where the window is, radians to the left of that; flat : whether it lies there
+    """
+    from tambour.crochet.finish.features import joined
+    from tambour.crochet.yarn.fibres import KINDS
+
+    if not len(shown.vertices) or not len(piece.yarn.radius):
+        return None
+    right = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)])
+    away = np.array([-np.sin(azimuth), 0.0, -np.cos(azimuth)])
+    low, high = shown.vertices.min(0), shown.vertices.max(0)
+    middle = 0.5 * (low + high)
+    wide, deep = (float(np.ptp(shown.vertices @ way)) / 2 for way in (right, away))
+    large = float(np.sqrt(((high - low) ** 2).sum()))
+    size, towards = float(np.clip(LARGE * large, LEAST, MOST)), -1.0 if side > 0.0 else 1.0
+    colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
+    order = np.argsort(-count, kind="stable")
+    second = colors[order[1]] if len(order) > 1 else np.array(PLAIN)
+    if flat:
+        spots = [
+            (0.62 * towards * wide, deep + 1.0 * size),
+            (-1.15 * towards * wide - 0.6 * size, 0.85 * deep + 0.9 * size),
+        ]
+    else:
+        spots = [
+            (towards * (0.62 * wide + 0.8 * size), deep + 0.30 * large + size),
+            (-towards * (0.80 * wide + 1.1 * size), deep + 0.62 * large + size),
+        ]
+    surface, thick = KINDS[piece.params.material].surface, max(float(piece.yarn.radius.max()), THINNEST * size)
+    made = []
+    for number, ((across, back), color) in enumerate(zip(spots, (colors[order[0]], second))):
+        at = middle + across * right + back * away
+        at[1] = low[1] + 0.97 * size
+        made.append(wound(at, size, thick, color, number, surface))
+    return joined(made)

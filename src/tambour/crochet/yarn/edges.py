@@ -1,0 +1,121 @@
+"""Edges: how the yarn lies where a piece ends: heads as links of a chain, and a spiral whose last stitch is slipped in."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import JOIN, ROOT, SEWN, TIP, StitchGraph
+from tambour.crochet.yarn.ends import NONE, STITCH
+from tambour.crochet.yarn.loops import HEAD, TOP
+
+# The head of a stitch that nothing is worked into lies as a link of a chain: narrow where it comes out of the link before, wide where it
+# lies about the next, and lower, for nothing draws it up. What is added to its points from BRAID on.
+BRAID = 29
+_LINK = np.array(
+    [
+        (0.00, -0.20, 0.00), (0.00, -0.17, -0.04), (0.02, -0.14, 0.02), (0.04, -0.12, 0.10), (0.06, -0.11, 0.13),
+        (0.08, -0.11, 0.10), (0.08, -0.12, 0.02), (0.08, -0.12, -0.04), (0.06, -0.12, -0.10), (0.04, -0.12, -0.10),
+        (0.02, -0.14, -0.05), (0.00, -0.16, 0.00),
+    ]
+)  # fmt: skip
+
+# A slip stitch, from the top of the stitch that it is worked into.
+_SLIP = np.array(
+    [
+        (-0.05, 0.05, -0.30),
+        (-0.08, -0.05, 0.0),
+        (-0.02, 0.10, 0.33),
+        (0.15, 0.35, 0.34),
+        (0.35, 0.48, 0.10),
+        (0.42, 0.35, -0.28),
+    ]
+)
+# The next round, worked over it, draws it down and behind; at an edge it lies within that.
+_COVERED, _EDGED = np.array([0.0, -0.3, -0.2]), np.array([0.0, -0.18, 0.0])
+
+TIGHT = 0.6
+"""As far along the work, in stitches, a head keeps its place that is drawn tight."""
+
+EASED = 7
+"""The last stitches of an open spiral, which come down to the round below."""
+STEP = 0.75
+"""How far down the last of them comes, of its height."""
+
+
+def slip(covered: bool) -> Array:
+    """A slip stitch's points (6, 3), from the top of the stitch that it is worked into; covered : whether stitches are worked over it."""
+    return np.asarray(_SLIP + (_COVERED if covered else _EDGED))
+
+
+def braided(graph: StitchGraph, role: Array, start: Array, at: Array) -> None:
+    """Turn the heads at an edge to links: ``at`` (P, 3) is the way of the yarn, ``start`` (N + 1,) where each node's begins."""
+    for i in np.flatnonzero(_free(graph, role)).tolist():
+        link = int(start[i + 1]) - (TOP[1] - BRAID)
+        at[link : link + len(_LINK)] += _LINK
+
+
+def _free(graph: StitchGraph, role: Array) -> Array:
+    """Stitches (N,) in whose head nothing is worked, joined or sewn: an edge."""
+    free = role == STITCH
+    free[graph.anchors] = False
+    free[graph.edges[np.isin(graph.edge_kind, (JOIN, SEWN))].ravel()] = False
+    for kind in ("crab", "picot"):
+        if kind in graph.kinds:
+            free[graph.kind == graph.kinds.index(kind)] = False
+    return np.asarray(free)
+
+
+def slipped(graph: StitchGraph, role: Array) -> dict[int, int]:
+    """The last stitch of every spiral that is left open, and the one of its last round that its maker slips it into: so its step is
+    made low, and its end lies in the edge."""
+    held = np.zeros(len(graph), np.bool_)
+    held[graph.edges[np.isin(graph.edge_kind, (JOIN, SEWN))].ravel()] = True
+    made = {}
+    for part in graph.parts:
+        own = np.flatnonzero(role[part.start : part.end] == STITCH) + part.start
+        if (
+            len(own) < EASED
+            or graph.peculiarity[part.start] != ROOT
+            or (graph.peculiarity[part.start : part.end] == TIP).any()
+        ):
+            continue
+        i = int(own[-1])
+        k = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) + 1
+        spiral = k < i and role[k] == STITCH and graph.previous[k] == k - 1 and graph.round[k] == graph.round[i]
+        if (
+            spiral
+            and i == part.end - 1
+            and not held[own[-EASED:]].any()
+            and (graph.direction[own] == graph.direction[i]).all()
+        ):
+            made[i] = k
+    return made
+
+
+def eased(graph: StitchGraph, x: Array, role: Array, host: Array, slip: Array) -> Array:
+    """Positions (N, 3) with the last stitches of every open spiral lower, each more than the one before it.
+
+    host, slip : where every stitch shows, of :func:`tambour.crochet.yarn.course.leaning`
+    """
+    last = slipped(graph, role)
+    made = x.copy() if last else x
+    for i in last:
+        end = host[i] + slip[i]
+        for j in range(int(end) - EASED + 1, i + 1):
+            on = graph.anchors[graph.anchor_offsets[j] : graph.anchor_offsets[j + 1]]
+            made[j] += STEP * min(1.0, max(0.0, 1.0 - (end - j) / EASED)) * (x[on].mean(0) - x[j])
+    return made
+
+
+def tightened(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:
+    """Where a flat row is fastened off the last head is drawn tight: nothing comes that it could lie over to."""
+    last = role != NONE
+    last[:-1] &= ~follows[1:]
+    joined = graph.edges[graph.edge_kind == JOIN][:, 0]
+    for i in np.setdiff1d(np.flatnonzero(last), joined).tolist():
+        own = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) if role[i] == STITCH else -1
+        if own >= 0 and (role[own] == NONE or (role[own] == STITCH and graph.direction[own] == graph.direction[i])):
+            continue  # a round: the head lies over to the round's first stitch
+        head = at[int(start[i + 1]) - (TOP[1] - HEAD) : int(start[i + 1]), 0]
+        head[head > TIGHT] -= 0.6 * (head[head > TIGHT] - TIGHT)
