@@ -5,7 +5,7 @@ python bench/habits.py [FOLDER] [--only WORD] [--wrong] [--told]
 FOLDER holds texts and tables (``truth*.tsv``: text, part, copies, round as it is written, stitches on the edge after it),
 a line for each round; ours lies with the tests. A part's rounds are right that stand in the longest row of counts that
 reading and truth share in one order; a gap that took its count is not read. A part is whole when it has all its rounds,
-no other, and its copies. The text's parts and the truth's are paired so that the most rounds are right.
+no other, and its copies; rounds of a part that is worked on in another (legs in their body) are looked for there. The text's parts and the truth's are paired so that the most rounds are right.
 """
 
 from __future__ import annotations
@@ -114,9 +114,15 @@ def scored(path: Path, truth: list[Rounds]) -> Score:
     rows = [[shared(p.counts, q.counts) for q in parts] for p in truth]
     gain = np.array([[len(r) + 0.5 * (p.name.lower() == q.name.lower()) for r, q in zip(row, parts, strict=True)] for row, p in zip(rows, truth, strict=True)])  # fmt: skip
     pairs = dict(zip(*linear_sum_assignment(-gain), strict=True))
+    left = {}  # the rounds of each part that are no rounds of its own truth
+    for k, at in pairs.items():
+        taken = {j for _, j in rows[k][at]}
+        left[at] = [c for j, c in enumerate(parts[at].counts) if j not in taken]
     for k, p in enumerate(truth):
         q = parts[pairs[k]] if k in pairs else Rounds("nothing", 0)
-        row = rows[k][pairs[k]] if k in pairs else []
+        row = (
+            rows[k][pairs[k]] if k in pairs else max((shared(p.counts, c) for c in left.values()), key=len, default=[])
+        )
         score.right += len(row)
         if len(row) == len(p.counts) == len(q.counts) and p.copies == q.copies:
             score.whole += 1
