@@ -91,3 +91,26 @@ def test_colours_have_their_names_in_each_language() -> None:
 
         graph = build(read(Text(text, "toy.txt"))).graph
         assert tuple(int(c) for c in graph.color[3][:3]) == shade(hue), text
+
+
+def test_lines_that_say_all_twice_are_read_once() -> None:
+    text = (
+        "GHOST / FANTASMA\n\nMR / AM = magic ring / anillo mágico\n\n1. HEAD / CABEZA (white / blanco)\n"
+        "R1: 6 sc in MR / 6 pb en AM [6]\nR2: 6 inc / 6 aum [12]\nR3: (1 sc, inc) x 6 / (1 pb, aum) x 6 [18]\n"
+        "R4-R6: 18 sc / 18 pb [18]\nR7: (1 sc, dec) x 6 / (1 pb, dis) x 6 [12]\n"
+    )
+    assert list(counts(text).values()) == [[6, 12, 18, 18, 18, 18, 12]]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Body\nRnd1) 6 sc in magic ring >>6\nRnd2) inc(6) >>12\nRnd3) {sc 1, inc}x6 >>18\nRnd4-5) sc all around >>18\nRnd6) dec(9) >>9\n",
+        "UK terms\n\nBODY\nRd 1 – 6 dc in a magic ring (6)\nRd 2 – 2dc inc in every st (12)\nRd 3 – [1 dc, 2dc inc] x 6 (18)\n"
+        "Rd 4 + 5 – dc all round\nRd 6 – dc2tog x 9 (9)\n",
+        "KOP\nt1: 6 v in mr (6)\nt2: meerd in elke v (12)\nt3: *1 v, meerd* 6 keer (18)\nt4 t/m t5: 1 v in elke v (18)\nt6: 9 mind (9)\n",
+        "## Head\n\n* Rnd 1: 6 sc in MR [6]\n* Rnd 2: inc around [12]\n* Rnd 3: \\*sc 1, inc\\* 6 times [18]\n* Rnds 4 & 5: sc in each st [18]\n* Rnd 6: dec 9 times [9]\n",
+    ],
+)
+def test_signs_of_their_own(text: str) -> None:
+    assert list(counts(text).values()) == [[6, 12, 18, 18, 18, 9]]

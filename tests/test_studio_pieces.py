@@ -240,7 +240,10 @@ def test_the_later_place_wins(ours: TestClient) -> None:
 
 
 SMALL: dict[str, dict[str, Any]] = {
-    "crochet": {"source": {"text": "R1: MR(6) (6)\nR2: 6 inc (12)\nFO\n", "name": "disc.acl"}, "params": {"detail": "low"}},
+    "crochet": {
+        "source": {"text": "R1: MR(6) (6)\nR2: 6 inc (12)\nFO\n", "name": "disc.acl"},
+        "params": {"detail": "low"},
+    },
     "knit": {"example": "band.csv", "params": {"max_float": "4", "gauge": "28x34"}},
     "ink": {"seed": "small", "params": {"span": 60, "pixels": 64, "steps": 2, "painting": "1s"}},
     "embroidery": {"source": {"text": HEART, "name": "heart.svg"}, "params": {"row_spacing": 2.0, "frames": 1}},

@@ -183,3 +183,31 @@ def _dashed(tokens: list[Token]) -> tuple[int, int, int] | None:
     if tokens[at].word != "-" or tokens[at].glued or tokens[at + 1].glued:
         return None
     return numbers[0], numbers[-1], at
+
+
+def signs(rows: list[Row]) -> list[Row]:
+    """Lines with a count behind signs of their own, ``>>8``, in brackets, and numbers grown behind a stitch, ``inc(8) >>16``, before it."""
+    made = []
+    for row in rows:
+        tokens = row.tokens
+        if len(tokens) > 3 and tokens[-1].kind == "number" and tokens[-2].word == tokens[-3].word == ">":
+            number = tokens[-1]
+            inner = _grown(tokens[:-3])
+            opens, closes = (Token("mark", w, number.start, number.end) for w in "()")
+            made.append(Row([*inner, opens, number, closes], row.start, row.end, row.marked))
+        else:
+            made.append(row)
+    return made
+
+
+def _grown(tokens: list[Token]) -> list[Token]:
+    """``inc(8)`` as "8 inc"."""
+    made: list[Token] = []
+    for k, token in enumerate(tokens):
+        made.append(token)
+        bracket = tokens[k - 2 : k + 1]
+        if len(bracket) == 3 and token.word == ")" and bracket[1].kind == "number" and bracket[0].word == "(":
+            word = tokens[k - 3] if k > 2 else None
+            if bracket[0].glued and word is not None and word.kind == "word" and word.word.isalpha():
+                made[-4:] = [bracket[1], word]
+    return made

@@ -42,6 +42,8 @@ def _together(tokens: list[Token]) -> list[Token]:
                 made.pop()
                 many = "" if before.value == 2 else str(before.value)
                 token = Token("stitch", token.word, before.start, token.end, f"{token.value}{many}", before.glued)
+        if token.value in ("inc", "dcinc") and len(words) > 1 and token.glued and made and made[-1].value == 2:
+            made.pop()  # "2dc inc": two in one stitch
         made.append(token)
     return made
 
@@ -59,7 +61,7 @@ def _all(tokens: list[Token], at: int) -> tuple[int, list[Token]] | None:
 
 
 def _placed(tokens: list[Token]) -> list[Token]:
-    """``je 9 fM`` as "9 sc", ``je M 1 fM`` as "in each st 1 sc", ``ab der 2. Lm von der Nadel`` as "in 2nd ch from hook"."""
+    """``je 9 fM`` as "9 sc", ``je M 1 fM`` as "in each st 1 sc"."""
     made: list[Token] = []
     for k, token in enumerate(tokens):
         after = tokens[k + 1 : k + 5]
@@ -70,16 +72,6 @@ def _placed(tokens: list[Token]) -> list[Token]:
                 continue
             if after[0].value == "stitch" and after[1].kind == "number":
                 made += _keys(replace(token, end=token.start), "in")
-        if (
-            token.value in ("from", "begin")
-            and len(after) > 2
-            and after[0].kind == "ordinal"
-            and after[1].value == "ch"
-        ):
-            hook = next((n for n, t in enumerate(after) if t.value == "hook"), 0)
-            if (hook > 1 and before is None) or (hook > 1 and before is not None and before.kind == "mark"):
-                made += _keys(token, "in")
-                continue
         made.append(token)
     return made
 

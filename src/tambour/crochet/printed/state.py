@@ -14,6 +14,7 @@ from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.printed import tongues
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.banners import banners
+from tambour.crochet.printed.bilingual import first
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.heads import head
 from tambour.crochet.printed.leaves import leaves
@@ -26,7 +27,7 @@ from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.runs import listed, parted
 from tambour.crochet.printed.shades import spoken
-from tambour.crochet.printed.shorthand import numbered
+from tambour.crochet.printed.shorthand import numbered, signs
 from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.vocabulary import vocabulary
@@ -89,7 +90,7 @@ class State:
 
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
-        self.rows = numbered(leaves(source.text.text, rows(source.text.text)))
+        self.rows = signs(first(numbered(leaves(source.text.text, rows(source.text.text)))))
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)

@@ -218,7 +218,7 @@ _LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
 
 
 def _bullet(tokens: list[Token], at: int) -> bool:
-    """Whether the mark at ``at`` is a list's: room follows it, and no second of its kind closes a repeat."""
+    """Whether the mark at ``at`` is a list's: room follows it, and no other of its kind wants it to begin a repeat."""
     if at + 1 >= len(tokens) or tokens[at + 1].glued or tokens[at + 1].word in _GOES_ON:
         return False
-    return tokens[at].word != "*" or not any(t.word == "*" for t in tokens[at + 1 :])
+    return tokens[at].word != "*" or sum(t.word == "*" for t in tokens[at + 1 :]) % 2 == 0

@@ -17,8 +17,8 @@ _POINTED: Final = {
     "es": frozenset("aum dism dis rep sig vta pto pt pb mp cad".split()),
 }
 """Words that are shortened with a point, which ends no sentence."""
-_ORDINAL: Final = {"de": ".", "nl": "e", "fr": "e"}
-"""What makes an ordinal of a number, right behind it: "3. Masche", "3e steek"."""
+_ORDINAL: Final = {"de": "."}
+"""What makes an ordinal of a number, right behind it: "3. Masche"."""
 _BEGIN: Final = frozenset("beginnen anfangen starten empezar comenzar empezando commencer".split())
 _COPIES: Final = frozenset("x × iguales stück stk stuks mal fois keer veces piezas pièces pz".split())
 _MAKE: Final = frozenset("tejer hacer faire réaliser haken haak maak häkeln anfertigen".split())
@@ -131,7 +131,7 @@ def _ordinals(tokens: list[Token], sign: str, counted: frozenset[str]) -> list[T
         after = made[k + 2] if k + 2 < len(made) else None
         if after is None or after.glued:
             continue
-        if after.kind == "ordinal" or after.word in counted or (sign == "e" and after.kind in ("word", "mark")):
+        if after.kind == "ordinal" or after.word in counted:
             made[k : k + 2] = [
                 Token("ordinal", number.word + sign, number.start, behind.end, number.value, number.glued)
             ]
@@ -143,6 +143,9 @@ def _shortened(text: str, tokens: list[Token], code: str) -> list[Token]:
     pointed = _POINTED.get(code, frozenset())
     made: list[Token] = []
     for k, token in enumerate(tokens):
+        if code == "nl" and token.word == "m" and [t.word for t in made[-2:]] == ["t", "/"]:
+            made[-2:] = [Token("word", "tot", made[-2].start, token.end)]  # "t3 t/m t5"
+            continue
         if token.word == "." and token.glued and k and tokens[k - 1].word in pointed:
             after = tokens[k + 1] if k + 1 < len(tokens) else None
             if after is None or not after.capital or after.word in pointed or after.kind == "number":
