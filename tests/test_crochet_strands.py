@@ -98,3 +98,16 @@ def test_a_stem_is_left_of_the_chain_where_stitches_end_before_it():
     )
     counts = build(pattern).counts
     assert counts.get("curl{5 ch, 4 slst}") == 6 and counts.get("ch") == 30
+
+
+def test_a_picot_of_two_chains_stands_in_a_corner():
+    text = "Ear\nCh 4.\nRound 1: Sc in 2nd ch from hook, hdc in next ch, (2 hdc, ch 2, slip st in 2nd ch from hook, 2 hdc) in last ch.\n"
+    pattern = read_printed(Text(text, "ear.txt"))
+    assert not pattern.unread and build(pattern).counts.get("{2 hdc, picot2, 2 hdc}") == 1
+
+
+def test_a_chain_worked_from_its_first_link_is_no_traceback():
+    text = (
+        f"Head\n{ROUNDS}Rnd 5: sc in next 14 sts; ch 5; working in back bars, slip st in first 5 ch, sc in next 4 sts\n"
+    )
+    build(read_printed(Text(text, "head.txt")))

@@ -38,7 +38,10 @@ def curl(r: Reader, found: list[Item], name: str, many: int, place: Where) -> bo
     inside = r.depth > 0 or r.lying or any(_worked(i) for i in found[:-1])
     if not inside and not (whole and name == "slst"):
         return False  # the chain that the piece begins with
-    if not (whole and name == "slst") and strand(r, found, (name, many), place.ordinal):
+    closed = (
+        name == "slst" and place.ordinal >= long
+    )  # a picot, "ch 2, sl st in 2nd ch from hook", of a corner or a leaf
+    if not closed and strand(r, found, (name, many), place.ordinal):
         return True
     left = 0 if whole else max(0, long - place.ordinal)
     left = _further(r, left)

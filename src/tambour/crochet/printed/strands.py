@@ -58,7 +58,7 @@ def strand(r: Reader, found: list[Item], given: tuple[str, int] | None, passed: 
     """Puts a strand in place of the chains just read; whether it does. ``given`` : the stitch that was read into the link ``passed`` from
     the hook, and how many of it; None where only the place was said."""
     last = found[-1] if found else None
-    if not isinstance(last, Action) or last.name != "ch" or not 2 <= last.times <= _LONGEST:
+    if not isinstance(last, Action) or last.name != "ch" or not passed <= last.times <= _LONGEST or passed < 2:
         return False
     way = _Way(last.times, passed - 1, [])
     begin = r.c.at
