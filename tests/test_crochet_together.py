@@ -146,3 +146,9 @@ def test_all_of_a_first_round_goes_into_one_chain():
     built = build(read_printed(Text(text, "motif.txt")))
     first = next(r for r in built.rounds if r.number == 1)
     assert first.count == 10 and len({int(built.graph.parent[n]) for n in range(first.first, first.last + 1)}) == 1
+
+
+def test_a_piece_that_is_folded_is_not_joined_to_its_other_copy():
+    text = f"Legs (make 2)\n{HALF}Fold in half. Sl st around through both thicknesses along edge. Stuff.\n"
+    pattern = read_printed(Text(text, "legs.txt"))
+    assert not any("joins these two" in p.message for p in build(pattern).warnings)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 _PIECES: Final = frozenset(
     "pieces halves panels squares circles discs disks layers sides thicknesses fronts backs motifs both two".split()
 )
+_NAMED: Final = frozenset("pieces halves panels squares circles discs disks fronts backs motifs".split())
 _HELD: Final = frozenset(
     "hold holding held place placing lay laying put align line stack join joining crochet together tog facing matching through".split()
 )
@@ -38,6 +39,8 @@ def laid(p: State, tokens: list[Token]) -> bool:
     }:
         return False
     draft = p.parts[-1]
+    if draft.copies == 2 and (not words & _NAMED or words & {"fold", "folded"}):
+        return False  # "Fold in half. Sl st through both thicknesses along edge": each copy by itself
     fellow = next((d for d in p.parts[:-1] if d.last == draft.last and d.edge), None)
     edge = draft.edge or (fellow.edge if fellow is not None else 0) or 0  # "as for Front"
     near = [
