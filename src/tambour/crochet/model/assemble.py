@@ -9,6 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
+from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.finish.joining import Joining, frame_of, join
 from tambour.crochet.finish.placing import Frames
 from tambour.crochet.finish.sewing import UNDER, End, Held, end_of, held, leaning
@@ -17,6 +18,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.loop import Tried
+from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, pair, poses
 from tambour.crochet.model.rounds import Rounds, pattern
 from tambour.crochet.settle.arrange import parts
 from tambour.crochet.words.phrases import LEANS, TURN
@@ -79,6 +81,8 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> list[
     number = {(k, c): spots.parts[p.name(c)] for k, p in enumerate(pieces) for c in range(len(p.goals))}
     steps: dict[Key, tuple[Placed, End]] = {}
     points: dict[Key, Array] = {}
+    choice: dict[Key, Poses] = {}
+    held_by: dict[Key, tuple[Array, Held]] = {}
     waiting = [(k, c) for k, p in enumerate(pieces) for c, base in enumerate(p.bases) if base is not None]
     standing = set(number) - set(waiting)
     while ready := [key for key in waiting if pieces[key[0]].onto[key[1]] in standing]:
@@ -112,19 +116,38 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> list[
             how = held(alone, nodes, end)
             lay, _ = fit(alone[nodes], goal[nodes], np.ones(len(nodes)))
             axis, front = (turned(turned(turned(way, lay), aim), turn) for way in (how.axis, how.front))
-            said = angled(plain, frame, axis, front, fine)
-            steps[k, c] = (said if fine else eased(said, graph.faces[built.shell], alone, nodes, how)), end
-            points[k, c] = point
+            steps[k, c], points[k, c] = (angled(plain, frame, axis, front, fine), end), point
+            if fine:
+                continue
+            if (
+                end.ring
+                and not end.laid
+                and not spots.place(spot).opening
+                and not len(lid_on(built, spots, plain, end))
+            ):
+                on = number[piece.onto[c]]
+                host = Host(spots, on, other, bodies_of(bodies, there.start), joined.x, normals, joined.upright[on])
+                off = alone[nodes] - how.middle
+                own = np.column_stack([dot(off, way) for way in (how.axis, how.front, np.cross(how.axis, how.front))])
+                want = turned(turned(goal[nodes] - base, aim), turn) + point
+                choice[k, c] = poses(host, spot, point, own, want, max(1.5, len(end.nodes) / (2.0 * math.pi)))
+                steps[k, c] = _posed(plain, choice[k, c].best()), end
+            held_by[k, c] = nodes, how
         waiting = [key for key in waiting if key not in ready]
         standing |= set(ready)
-        if even:
-            for k, c in ready:
-                if pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps:
-                    pair = mirrored(steps[k, 0][0], steps[k, 1][0], fine)
-                    for n, one in enumerate(pair):
-                        on = number[pieces[k].onto[n]]
-                        spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round, fine=fine)
-                        steps[k, n] = replace(one, spot=spot), steps[k, n][1]
+        for k, c in ready:
+            if even and pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps:
+                found = pair(choice[k, 0], choice[k, 1]) if {(k, 0), (k, 1)} <= set(choice) else None
+                both = mirrored(steps[k, 0][0], steps[k, 1][0], fine)
+                for n, one in enumerate(both):
+                    on = number[pieces[k].onto[n]]
+                    spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round, fine=fine)
+                    said = replace(one, spot=spot) if found is None else _posed(one, found[n])
+                    steps[k, n] = said, steps[k, n][1]
+        for key, (nodes, how) in held_by.items():
+            said, end = steps[key]
+            steps[key] = eased(said, graph.faces[built.shell], alone, nodes, how, key not in choice), end
+        held_by.clear()
     return [_line(said) for said, _ in steps.values()]
 
 
@@ -143,13 +166,19 @@ def angled(plain: Placed, frame: Frames, axis: Array, front: Array, fine: bool) 
     return replace(said, across=_said(across, 1 if fine else TURN))
 
 
-def eased(said: Placed, faces: Array, x: Array, nodes: Array, how: Held) -> Placed:
-    """``said`` without a lean, or a turn about itself, that nobody would see.
+def _posed(plain: Placed, how: tuple[Spot, int, int]) -> Placed:
+    """``plain`` at the spot, with the lean and the turn about itself, that were found for it."""
+    tilt, towards = LEANED[how[1]]
+    return replace(plain, spot=how[0], tilt=float(tilt), towards=float(towards), across=float(WAYS[how[2]]))
+
+
+def eased(said: Placed, faces: Array, x: Array, nodes: Array, how: Held, leans: bool) -> Placed:
+    """``said`` without a lean (where ``leans``), or a turn about itself, that nobody would see.
 
     A short part hardly moves by the one, one that is as wide all round by the other. faces (F, 3), x (N, 3) : all parts; nodes : its own; how : it is held
     """
     off = x[nodes] - how.middle
-    if float(np.abs(dot(off, how.axis)).mean()) * math.sin(math.radians(said.tilt)) < UNSEEN:
+    if leans and float(np.abs(dot(off, how.axis)).mean()) * math.sin(math.radians(said.tilt)) < UNSEEN:
         said = replace(said, tilt=0.0, towards=0.0)
     own = faces[np.isin(faces[:, 0], nodes)]
     if said.across and len(own):

@@ -21,12 +21,14 @@ if TYPE_CHECKING:
 
 TRIES = 8
 """How often a part is corrected at the most."""
-STEP = 0.8
-"""How much of what a round is too wide is taken off it at once."""
+STEP, SLOWER = 0.8, 0.87
+"""How much of what a round is too wide is taken off it at once, at first, and by what share less each time after: whole stitches and
+repeats make every try a little better or worse than its lengths are, and small steps about the same place even that out."""
 GAIN = 0.004
 """An improvement of the mean distance by less than this, in stitches, is none."""
-BATCHES, SPARE, AGAIN = 4, 2, 4
-"""In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after each."""
+BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 4
+"""In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
+each; no more threads than so many are pulled at once."""
 BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
 
@@ -115,7 +117,8 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
     best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
     stuffed = (best.rounds.stuffing or task.params.stuffing) != "none"
     most = threads.most(sum(best.counts), task.plain) if stuffed else 0
-    bare, add, tighter = best, max(1, most // BATCHES), threads.FIRST
+    bare, tighter = best, threads.FIRST
+    add = most if most <= HARDLY else most // BATCHES
     for _ in range(BATCHES + SPARE):
         holds = threads.chosen(best, min(add, most - len(best.holds)), tighter)
         if len(holds) == len(best.holds):
@@ -132,16 +135,17 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
 
 
 def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
-    history, step, idle = [best.distance.mean], STEP, 0
+    """The best of the tries that follow ``best``, each corrected by what the last one was off, whether that was better or not."""
+    history, step, now = [best.distance.mean], STEP, best
     for _ in range(tries):
-        now = tried(task, corrected(task, best, step), threads.tightened(best, step))
+        before = now
+        now = tried(task, corrected(task, before, step), threads.tightened(before, step))
         history.append(now.distance.mean)
-        if now.distance.mean < best.distance.mean - GAIN:
-            best, idle = now, 0
-        else:
-            step, idle = 0.5 * step, idle + 1
-            if idle == 3:
-                break
+        if now.distance.mean < best.distance.mean:
+            best = now
+        if now.rounds == before.rounds:
+            break
+        step *= SLOWER
     return best, history
 
 
@@ -156,15 +160,30 @@ def faithful(task: Task, best: Tried) -> float:
 
 
 def corrected(task: Task, last: Tried, step: float) -> Array:
-    """The lengths (R,) that would bring every round to the model: those that lie outside of it become shorter."""
+    """The lengths (R,) that would bring every round to the model: those that lie outside of it, or are wider than they belong,
+    become shorter.
+
+    Outside alone does not tell: a ball worked too wide is flat, with its middle inside of the model; there rounds would become
+    wider still.
+    """
     off = signed(task.target, last.worked.x, last.distance)
-    number = last.worked.graph.round
     count = len(last.counts)
-    number = np.clip(number, 0, count - 1)
+    number = np.clip(last.worked.graph.round, 0, count - 1)
     mean = np.bincount(number, off, count) / np.maximum(np.bincount(number, minlength=count), 1)
+    mean = 0.5 * (mean + _wide(last.lain, last.counts) - _wide(last.goal, last.counts))
     smooth = np.convolve(np.pad(mean, 1, mode="edge"), [0.25, 0.5, 0.25], "valid")
     wide = task.way.girths
     return np.clip(last.wanted - step * 2.0 * math.pi * smooth, BOUNDS[0] * wide, BOUNDS[1] * wide)
+
+
+def _wide(x: Array, counts: list[int]) -> Array:
+    """How far the stitches of every round (R,) of ``counts`` lie from its middle, on the average. x : (N, 3), the ring's middle first."""
+    first = np.concatenate([[0], np.cumsum(counts)])
+    own = x[1 : 1 + first[-1]]
+    size = np.array(counts, float)
+    middle = np.add.reduceat(own, first[:-1], axis=0) / size[:, None]
+    far = np.sqrt(((own - np.repeat(middle, counts, axis=0)) ** 2).sum(1))
+    return np.asarray(np.add.reduceat(far, first[:-1]) / size)
 
 
 def signed(target: Target, x: Array, lain: Distance) -> Array:

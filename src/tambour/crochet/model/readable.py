@@ -109,12 +109,13 @@ def rounds(lines: Sequence[Array], points: Sequence[Array], plain: float) -> tup
     wanted = 1.0 - 2.0 * (1.0 - EASY) * (1.0 - plain)
     most = math.inf if plain <= 0.0 else KINDS + (KINDS - FEWEST) * (1.0 - 2.0 * plain)
     low, high = 0, len(GAINS) - 1 if plain > 0.0 else 0
+    known: dict[int, tuple[Round, ...]] = {}
     while low < high:  # the least gain that leaves rounds which read easily
         middle = (low + high) // 2
-        made = _followed(lines, points, GAINS[middle])
+        made = known[middle] = _followed(lines, points, GAINS[middle])
         good = sum(map(easy, made)) >= wanted * len(made) and len({kind(one) for one in made}) <= most
         low, high = (low, middle) if good else (middle + 1, high)
-    return _followed(lines, points, GAINS[low])
+    return known[low] if low in known else _followed(lines, points, GAINS[low])
 
 
 def kind(one: Round) -> tuple[str, ...]:
@@ -142,14 +143,22 @@ def _followed(lines: Sequence[Array], points: Sequence[Array], least: float) -> 
 
 def _carried(words: Sequence[str], below: Array) -> Array:
     """Where the stitches (m, 3) of a round lie that is worked into stitches at ``below`` (n, 3)."""
-    made, i = [], 0
+    into, side = _taken(tuple(words))
     ahead = 0.25 * (np.roll(below, -1, 0) - np.roll(below, 1, 0))
+    return np.asarray(below[into].mean(1) + side[:, None] * ahead[into].mean(1))
+
+
+@lru_cache(maxsize=4096)
+def _taken(words: tuple[str, ...]) -> tuple[Array, Array]:
+    """Of every stitch above, those below that it is worked into, as six (m, 6) in equal shares, and where between them it
+    stands (m,), -1 to 1."""
+    into, side, i = [], [], 0
     for word in words:
         a, b = WORDS[word]
-        here, way = below[i : i + a].mean(0), ahead[i : i + a].mean(0)
-        made += [here + (2.0 * (k + 0.5) / b - 1.0) * way for k in range(b)]
+        into += [[i + k * a // 6 for k in range(6)]] * b
+        side += [2.0 * (k + 0.5) / b - 1.0 for k in range(b)]
         i += a
-    return np.array(made)
+    return np.array(into), np.array(side)
 
 
 def trouble(below: int, above: int) -> float:
