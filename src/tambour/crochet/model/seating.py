@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 LOPSIDED, MIRRORED = 9, 3
 """How often the parts are put together, and after that with pairs that say the same angles."""
+ALL, ALIKE = 4, 1
+"""How often all parts are moved at once, in each; then one at a time, from the best so far: they move one another as they come to rest."""
 PAIR = 0.05
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 NUDGE = 0.7
@@ -54,14 +56,17 @@ def seated(
     good: Nudges = {}
     far: dict[Key, float] = {}
     away: dict[Key, Array] = {}
-    for mirrored, times in ((None, LOPSIDED), (plane, MIRRORED)) if plane is not None else ((None, LOPSIDED),):
+    kept: tuple[Array, dict[Key, Array]] | None = None
+    phases = [(None, LOPSIDED, ALL), (plane, MIRRORED, ALIKE)]
+    for mirrored, times, together_ in phases[: 1 if plane is None else 2]:
         seats: dict[Key, Seat] = {}
-        if mirrored is not None:
-            nudges = alike(pieces, good, mirrored)
-        for _ in range(times):
+        turns: list[Nudges] | None = None
+        if mirrored is not None and kept is not None:
+            nudges, away = alike(pieces, good, mirrored), dict(kept[1])
+        for k in range(times):
             if len(way) == ROOTED:
                 pieces = [
-                    longer(p, [far[k, c] for c in range(len(p.goals))], params, stitch) for k, p in enumerate(pieces)
+                    longer(p, [far[n, c] for c in range(len(p.goals))], params, stitch) for n, p in enumerate(pieces)
                 ]
                 seats = {}
             aims = {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}
@@ -76,8 +81,15 @@ def seated(
             price = lain.mean + CLASH * len(crowd) + CROSSED * len(crossed(x, faces)) / len(faces)
             price += (0.0 if rests else RESTLESS) - (PAIR if mirrored is not None else 0.0)
             if best is None or price < best[0]:
-                best, good = (price, pieces, lines), nudges
-            nudges, far = nudged(pieces, x, nudges, seats)
+                best, good, kept, turns = (price, pieces, lines), nudges, (x, dict(away)), None
+            if k + 1 < together_:
+                nudges, far = nudged(pieces, x, nudges, seats)
+            else:
+                assert kept is not None
+                turns = singly(best[1], kept[0], good) if turns is None else turns
+                if not turns:
+                    break
+                pieces, nudges, away = best[1], turns.pop(0), dict(kept[1])
             if mirrored is not None:
                 nudges = alike(pieces, nudges, mirrored)
             for one, other in crowd:
@@ -104,6 +116,28 @@ class Seat:
     turn: Array
     shift: Array
     step: float = 1.0
+
+    def aimed(self, step: float) -> tuple[Array, Array]:
+        """What it is to be aimed by next, ``step`` of the way home."""
+        return turned(self.aim[0].T, share(self.turn, step)).T, self.aim[1] + step * self.shift
+
+
+def singly(pieces: list[Piece], x: Array, nudges: Nudges) -> list[Nudges]:
+    """``nudges`` with those of one piece brought home, the one first that lies off by most; then each by half of that.
+
+    x : (N, 3) all parts at rest together as ``nudges`` aimed them
+    """
+    seats: dict[Key, Seat] = {}
+    nudged(pieces, x, nudges, seats)
+    off = {
+        k: sum(seats[k, c].off * len(g) for c, g in enumerate(p.goals) if (k, c) in seats) for k, p in enumerate(pieces)
+    }
+    order = sorted((k for k in off if off[k] > 0.0), key=lambda k: -off[k])
+    return [
+        nudges | {key: seat.aimed(step) for key, seat in seats.items() if key[0] == k}
+        for step in (1.0, 0.5)
+        for k in order
+    ]
 
 
 def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]) -> tuple[Nudges, dict[Key, float]]:
@@ -138,7 +172,7 @@ def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]
             best = seats[k, c] = Seat(aim, off, turn, NUDGE * (step - dot(step, out) * out))
         else:
             best.step *= 0.5
-        made[k, c] = turned(best.aim[0].T, share(best.turn, best.step)).T, best.aim[1] + best.step * best.shift
+        made[k, c] = best.aimed(best.step)
     return made, far
 
 
