@@ -135,16 +135,19 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
 
 
 def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
-    """The best of the tries that follow ``best``, each corrected by what the last one was off, whether that was better or not."""
-    history, step, now = [best.distance.mean], STEP, best
+    """The best of the tries that follow ``best``, each corrected by what the last one was off, whether that was better or not;
+    after two in a row that were not, by what the best one was."""
+    history, step, now, idle = [best.distance.mean], STEP, best, 0
     for _ in range(tries):
         before = now
         now = tried(task, corrected(task, before, step), threads.tightened(before, step))
         history.append(now.distance.mean)
-        if now.distance.mean < best.distance.mean:
-            best = now
+        idle = 0 if now.distance.mean < best.distance.mean else idle + 1
+        best = best if idle else now
         if now.rounds == before.rounds:
             break
+        if idle == 2:
+            now, idle = best, 0
         step *= SLOWER
     return best, history
 

@@ -18,7 +18,7 @@ EVERY = 40
 FEW, WINS, AMOUNT = 3, 0.12, 0.05
 """Any other has so many at the most, and only where they take such a share, and so much, in stitches, off its mean distance."""
 SMALL = 200
-"""And only where it has so many stitches: nobody leads threads through an ear."""
+"""One fewer where it has fewer stitches than this."""
 APART = 2.5
 """Ends of threads lie at least so far from each other, in stitches: each wants fabric of its own."""
 PROUD, MORE = 0.3, 0.6
@@ -38,7 +38,9 @@ Hold = tuple[int, float, int, float, float]
 
 def most(stitches: int, plain: float) -> int:
     """How many threads a part of so many stitches has at the most; the easiest rounds have none."""
-    return int(1.5 * stitches / EVERY) if plain <= 0.0 else FEW if plain < 1.0 and stitches >= SMALL else 0
+    if plain <= 0.0:
+        return int(1.5 * stitches / EVERY)
+    return max(FEW - (stitches < SMALL), 0) if plain < 1.0 else 0
 
 
 def worth(bare: Tried, pulled: Tried) -> bool:
