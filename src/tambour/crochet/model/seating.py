@@ -25,7 +25,7 @@ LOPSIDED, MIRRORED = 9, 3
 """How often the parts are put together, and after that with pairs that say the same angles."""
 ALL, ALIKE = 4, 1
 """How often all parts are moved at once, in each; then one at a time, from the best so far: they move one another as they come to rest."""
-PAIR = 0.05
+PAIR = 0.03
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 NUDGE = 0.7
 """How much of what a part is off it is moved at once."""
