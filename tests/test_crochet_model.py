@@ -37,16 +37,18 @@ from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
-from tambour.crochet.model.geodesic import distances, girth
+from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import Tried
+from tambour.crochet.model.named import names
 from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
 from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
+from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.seating import alike, longer, nudged, singly
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.tips import Mirror, facing, mirror, stands
-from tambour.crochet.model.whole import bodies, refined, volume, where
+from tambour.crochet.model.whole import area, bodies, refined, volume, where
 from tambour.crochet.page import instructions
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.ofmodel import noted
@@ -375,6 +377,60 @@ def test_a_ball_has_no_limbs_and_a_horned_one_has_two() -> None:
     pairs = np.sort(np.concatenate([rest[:, :2], rest[:, 1:], rest[:, ::2]]), axis=1)
     assert (np.unique(pairs, axis=0, return_counts=True)[1] == 2).all()
     assert np.sqrt((body**2).sum(1)).max() < 16.0
+
+
+def bumped(*bumps: tuple[tuple[float, float, float], float, float, float]) -> tuple[Array, Array]:
+    """An upright egg of radius 10 with limbs: where each stands, how long it is, how wide, and by how much wider than thick."""
+    x, faces, _ = bodies(Mesh(*globe(10.0, 60, 1.3)), [])[0]
+    way = x / np.sqrt((x**2).sum(1))[:, None]
+    for to, long, wide, flat in bumps:
+        out = np.array(to) / math.sqrt(sum(v * v for v in to))
+        side = np.cross(out, [0.0, 0.0, 1.0] if abs(out[2]) < 0.9 else [0.0, 1.0, 0.0])
+        side = side / math.sqrt(float((side**2).sum()))
+        other = np.cross(out, side)
+        far = np.hypot((way * side).sum(1), flat * (way * other).sum(1))
+        far[(way * out).sum(1) < 0.0] = np.inf
+        x = x + long * out * np.exp(-((far / wide) ** 6))[:, None]
+    return x, faces
+
+
+@pytest.mark.parametrize("flat", [1.0, 2.5])
+def test_a_plane_saws_a_limb_off_where_it_begins_wherever_its_tip_was_found(flat: float) -> None:
+    x, faces, _ = refined(*bumped(((0.7, 0.7, 0.0), 7.0, 0.4, flat)), 1.0)
+    weight = np.zeros(len(x))
+    np.add.at(weight, faces.ravel(), np.repeat(area(x, faces) / 3.0, 3))
+    out = np.array([0.7, 0.7, 0.0])
+    out = out / math.sqrt(float((out**2).sum()))
+    high = (x * out).sum(1)
+    ear = np.flatnonzero(high > high.max() - 2.0)
+    side = np.cross(out, [0.0, 0.0, 1.0])
+    saws = Saws(x, faces, about(faces, len(x)), weight)
+    for tip in (ear[int((x[ear] * side).sum(1).argmax())], ear[int((x[ear] * side).sum(1).argmin())]):
+        saw = saws.best(int(tip), np.zeros(0, int), out, 6.0, 2.0)
+        wide = (
+            2.0 * math.pi * 11.5 * 0.42 * (0.5 + 0.5 / flat)
+        )  # where it has half its height it is .38 wide, at a tenth .46
+        assert saw is not None and saw.around == pytest.approx(wide, rel=0.25)
+        assert float((saw.normal * out).sum()) > 0.93
+        assert 0.5 < float(weight[saw.inside].sum()) / (saw.around * 7.0) < 1.6
+        assert saws.best(int(tip), ear, out, 6.0, 2.0) is None  # each of the others would go with it
+    ball, own, _ = bodies(Mesh(*globe(10.0, 30)), [])[0]
+    even = Saws(ball, own, about(own, len(ball)), np.full(len(ball), 4.0))
+    assert even.best(0, np.zeros(0, int), ball[0] / 10.0, 6.0, 2.0) is None
+
+
+def test_limbs_are_called_by_where_they_stand_and_both_of_a_pair_the_same() -> None:
+    pairs = [((s * 0.5, 1.2, 0.0), 6.0, 0.25, 1.0) for s in (1.0, -1.0)]
+    pairs += [((s * 1.0, 0.5, 0.35), 9.0, 0.22, 1.0) for s in (1.0, -1.0)]
+    pairs += [((s * 0.4, -1.0, 0.0), 9.0, 0.25, 1.0) for s in (1.0, -1.0)]
+    x, faces = bumped(*pairs, ((0.0, -0.4, -1.0), 6.0, 0.17, 1.0))
+    x, faces, _ = refined(x, faces, 1.0)
+    body, rest, groups = limbs(x, faces, mirror(x, faces), [])
+    said = dict(zip(names((body, rest), groups, set())[1:], groups))
+    assert {name: len(group) for name, group in said.items()} == {"Ear": 2, "Arm": 2, "Leg": 2, "Tail": 1}
+    assert names((body, rest), groups, {"Body", "Ear"})[:2] != ["Body", "Ear"]
+    for name, group in said.items():
+        assert all((limb.base[1] > 8.0) == (name == "Ear") for limb in group)
 
 
 def test_a_head_on_its_neck_stays_with_the_body_and_an_arm_does_not() -> None:

@@ -12,8 +12,8 @@ from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.model.assemble import Piece, spot_of
+from tambour.crochet.model.cut import severed
 from tambour.crochet.model.geodesic import distances, girth, lines
-from tambour.crochet.model.limbs import severed
 from tambour.crochet.model.rounds import pattern
 from tambour.crochet.model.tips import Mirror
 from tambour.crochet.model.whole import area, corners

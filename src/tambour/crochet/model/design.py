@@ -16,10 +16,11 @@ from tambour.crochet.model import tips
 from tambour.crochet.model.assemble import Piece
 from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
 from tambour.crochet.model.coarse import coarse
+from tambour.crochet.model.cut import Limb
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
-from tambour.crochet.model.limbs import Limb, limbs
+from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import TRIES, Task, Tried, faithful, looped, missed, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import printed

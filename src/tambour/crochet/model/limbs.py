@@ -3,54 +3,38 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.model.cut import NEAR, SHORT, TWIN, End, Limb, cut_at, cut_off
 from tambour.crochet.model.geodesic import about, distances, girth, lines
+from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.tips import Mirror
 from tambour.crochet.model.trunk import trunk
-from tambour.crochet.model.whole import area, corners, pieces
+from tambour.crochet.model.whole import area, corners
 
 SOURCES = 10
 """Points whose distances tell what lies far out."""
-SLIM = 2.4
-"""Along a limb a line becomes longer by less than this for every stitch on (a flat disc: by 6.3)."""
-STOUT = 0.2
-"""A limb is at least so many times as long as it is around: half a ball has a quarter."""
-WIDE = 3.4
-"""Where it becomes longer by more than this, and goes on so, the limb ends and the body begins."""
 LEAST = 6.0
 """A limb that is thinner around than this, in stitches, is not worked."""
-SHORT = 2.0
-"""Nor one that is shorter."""
-SHARE = 0.3
-"""What has more of the surface than this is no limb."""
 STANDS = 0.7
 """How much farther out a tip lies than where its limb begins, in stitches of the mean distance to the rest, at the least."""
 MOST = 24
 """The most limbs that are looked for."""
-NEAR = 3.0
-"""Tips nearer to each other than this, in stitches, are one."""
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Limb:
-    """A limb, cut off.
-
-    vertices, faces : the surface that it was cut from; f : (V,) the way from its tip; tip : the vertex; rim : where f ends
-    own : (F,) bool, the faces that are the limb's; base : (3,) the middle of the cut, around : its length
-    """
-
-    vertices: Array
-    faces: Array
-    f: Array
-    tip: int
-    rim: float
-    own: Array
-    base: Array
-    around: float
+TIGHT = 0.2
+"""A limb is cut off along a line about its tip where it has at least so much surface for the square of what it is around there: half a
+ball has .16. Else a plane may cut it off nearer to where it begins: the tip of a flat ear is no middle of it."""
+SAWN = 0.16
+"""What a plane cuts off has at least so much."""
+ABOUT = 8.0
+"""What lies so near to a tip, in stitches, tells where it looks."""
+SAME, POSED = 0.1, 0.8
+"""Two limbs are a pair in another pose where they differ by no more than the one in length and surface, and stand no farther from where
+the mirror shows them, or without one from each other, than the other, in their lengths."""
+ALIKE = 0.6
+"""A limb that is at least so stout as what it stands on goes on into it."""
 
 
 def tips_of(vertices: Array, faces: Array) -> list[int]:
@@ -104,95 +88,6 @@ def _peaks(value: Array, faces: Array, used: Array, least: float) -> list[int]:
     return sorted({*kept, top}, key=lambda v: -high[v])
 
 
-def cut_at(vertices: Array, faces: Array, f: Array) -> tuple[float, float] | None:
-    """Where a limb with ways ``f`` from its tip ends: the way, and its length around there; None where it is no limb: too
-    short, or it goes over into the body without a neck."""
-    weight = np.zeros(len(vertices))
-    np.add.at(weight, faces.ravel(), np.repeat(area(vertices, faces) / 3.0, 3))
-    total = float(weight.sum())
-    order = np.argsort(f)
-    upto = np.cumsum(weight[order])
-    step = 0.5
-    sizes: list[float] = []
-    ways: list[float] = []
-    value = step
-    while value < float(f.max()):
-        found = lines(vertices, faces, f, value)
-        inside = float(upto[max(int(np.searchsorted(f[order], value)) - 1, 0)])
-        if inside > 1.6 * SHARE * total:
-            break
-        lengths = sorted((girth(line) for line in found), reverse=True)
-        sizes.append(lengths[0] + sum(s for s in lengths[1:] if s > 2.5))
-        ways.append(value)
-        value += step
-    if len(ways) < 4:
-        return None
-    way, size = np.array(ways), np.array(sizes)
-    size = np.convolve(np.pad(size, 1, mode="edge"), [0.25, 0.5, 0.25], "valid")
-    slope = np.gradient(size, step)
-    within = upto[np.maximum(np.searchsorted(f[order], way) - 1, 0)] / total
-    # Past its own round end, where it no longer widens, and up to where it widens for good, into the body.
-    slim = np.flatnonzero((slope < SLIM) & (way >= 1.0))
-    if not len(slim):
-        return None
-    for k in range(int(slim[0]), len(way)):
-        if within[k] > SHARE:
-            return None
-        on = np.searchsorted(way, way[k] + max(1.0, 0.7 * size[k] / (2.0 * math.pi)))
-        if slope[k] < WIDE or on >= len(way) or size[on] - size[k] < 0.9 * WIDE * (way[on] - way[k]):
-            continue
-        k = max(k - 1, 0)
-        return (float(way[k]), float(size[k])) if way[k] >= max(SHORT, STOUT * size[k]) else None
-    return None
-
-
-def severed(vertices: Array, faces: Array, f: Array, tip: int, rim: float) -> tuple[Limb, Array, Array] | None:
-    """A limb cut off at ``rim``, and the rest of the surface, closed; None where the cut would be no single line."""
-    near = f[faces].mean(1) < rim
-    label = pieces(len(vertices), faces[near])
-    own = near & (label[faces[:, 0]] == label[tip])
-    rest = pieces(len(vertices), faces[~own])[faces[:, 0]]
-    sizes = np.bincount(rest[~own], area(vertices, faces)[~own])
-    own |= rest != int(sizes.argmax())
-    for _ in range(6):
-        half = np.concatenate([faces[~own][:, :2], faces[~own][:, 1:], faces[~own][:, ::-2]])
-        key, back = half[:, 0] * len(vertices) + half[:, 1], half[:, 1] * len(vertices) + half[:, 0]
-        edge = half[~np.isin(key, back)]
-        starts, count = np.unique(edge[:, 0], return_counts=True)
-        if not (count > 1).any():
-            break
-        own |= np.isin(faces, starts[count > 1]).any(1)
-    else:
-        return None
-    if len(edge) < 3 or own.all():
-        return None
-    after = dict(zip(edge[:, 0].tolist(), edge[:, 1].tolist()))
-    loop = [int(edge[0, 0])]
-    while (n := after.get(loop[-1], -1)) not in (loop[0], -1) and len(loop) <= len(edge):
-        loop.append(n)
-    if len(loop) != len(edge):
-        return None
-    x = vertices.copy()
-    for _ in range(6):
-        ring = x[loop]
-        x[loop] = 0.5 * ring + 0.25 * (np.roll(ring, 1, 0) + np.roll(ring, -1, 0))
-    base = x[loop].mean(0)
-    rings = max(1, round(girth(x[loop]) / (2.0 * math.pi) / 0.7))
-    m, n = len(loop), len(x)
-    points = [base + (x[loop] - base) * (1.0 - j / rings) for j in range(1, rings)]
-    here = np.array(loop)
-    added = []
-    for j in range(rings):
-        inner = np.full(m, n + (rings - 1) * m) if j == rings - 1 else n + j * m + np.arange(m)
-        added.append(np.column_stack([np.roll(here, -1), here, inner]))
-        if j < rings - 1:
-            added.append(np.column_stack([np.roll(here, -1), inner, np.roll(inner, -1)]))
-        here = inner
-    whole = np.concatenate([x, *points, base[None]])
-    limb = Limb(vertices, faces, f, tip, rim, own, vertices[loop].mean(0), girth(vertices[loop]))
-    return limb, whole, np.concatenate([faces[~own], *added])
-
-
 def limbs(
     vertices: Array, faces: Array, plane: Mirror | None, tell: list[str]
 ) -> tuple[Array, Array, list[list[Limb]]]:
@@ -201,9 +96,13 @@ def limbs(
     What goes on where the body ends stays with it (:mod:`tambour.crochet.model.trunk`). What is too thin to be worked is cut off, and told.
     """
     ends = _ends(vertices, faces)
-    found, x, f = _cut(vertices, faces, plane, [], ends)
+    found, x, f, stumps = _cut(vertices, faces, plane, [], ends)
+    if any(longer := [_grown(end, stumps) for end in ends]):
+        ends = [long or end for long, end in zip(longer, ends)]
+        found, x, f, _ = _cut(vertices, faces, plane, [], ends)
     if kept := trunk(x, f, found, plane):
-        found, x, f = _cut(vertices, faces, plane, kept, ends)
+        found, x, f, _ = _cut(vertices, faces, plane, kept, ends)
+    found = _matched(found, plane)
     thin = sum(len(group) for group in found if group[0].around < LEAST)
     if thin:
         tell.append(
@@ -215,63 +114,135 @@ def limbs(
 
 
 def _cut(
-    x: Array, f: Array, plane: Mirror | None, kept: list[Array], ends: list[tuple[Array, float]]
-) -> tuple[list[list[Limb]], Array, Array]:
-    """All limbs but those with tips (3,) ``kept``, cut off, and what is left of the surface. ends : what _ends gives of it."""
+    x: Array, f: Array, plane: Mirror | None, kept: list[Array], ends: list[End]
+) -> tuple[list[list[Limb]], Array, Array, list[tuple[Limb, Limb]]]:
+    """All limbs but those with tips (3,) ``kept``, cut off, what is left of the surface, and which limbs went on into others, that
+    stay with it. ends : what _ends gives of it."""
     found: list[list[Limb]] = []
+    stumps: list[tuple[Limb, Limb]] = []
     for _ in range(3):  # where fingers were, a hand has its tip
-        more, x, f = _round_of(x, f, plane, kept, ends)
+        more, x, f = _round_of(x, f, plane, kept, ends, found, stumps)
         found += more
         if not more:
             break
-        ends = _ends(x, f)
-    return found, x, f
+        ends = _ends(x, f, sawn=False)  # what is left of a limb is none
+    return found, x, f, stumps
 
 
-def _ends(x: Array, f: Array) -> list[tuple[Array, float]]:
-    """The tips (3,) of a surface, the farthest first, each with how large the limb about it is: its length by its girth, 0 of none."""
+def _matched(groups: list[list[Limb]], plane: Mirror | None) -> list[list[Limb]]:
+    """The groups with limbs as one that are a pair in another pose: as long and as large on either side of the mirror, or beside it."""
+    made = [group for group in groups if len(group) > 1]
+    alone = [group[0] for group in groups if len(group) == 1]
+    while alone:
+        one = alone.pop(0)
+        off = [_differs(one, other, plane) for other in alone]
+        if off and min(off) < SAME:
+            twin = alone[int(np.argmin(off))]
+            alone = [limb for limb in alone if limb is not twin]
+            made.append([one, twin])
+        else:
+            made.append([one])
+    key = {id(group[0]): n for n, group in enumerate(groups)}
+    return sorted(made, key=lambda group: max(key.get(id(limb), -1) for limb in group))
+
+
+def _differs(one: Limb, other: Limb, plane: Mirror | None) -> float:
+    """By what share the length, or the surface, of a limb differs from another's that could be its twin."""
+    size, grown = (float(area(limb.vertices, limb.faces[limb.own]).sum()) for limb in (one, other))
+    near = (one.base if plane is None else plane.image(one.base)) - other.base
+    if (near**2).sum() > (POSED * one.rim) ** 2:
+        return math.inf
+    girths = 0.3 * abs(math.log(other.around / one.around))  # along a rim with teeth
+    return max(abs(math.log(grown / size)), abs(math.log(other.rim / one.rim)), girths)
+
+
+def _stump(limb: Limb, found: list[list[Limb]]) -> Limb | None:
+    """The limb that one stood on, was it cut off too soon: the only one that it bears, and hardly less stout."""
+    mine = corners(limb.faces[limb.own])
+    own = limb.vertices[mine]
+    every = [one for group in found for one in group if one.around >= LEAST]
+    on = [one for one in every if ((own - one.base) ** 2).sum(1).min() < 1.0]
+    return on[0] if len(on) == 1 and on[0].around >= ALIKE * limb.around else None
+
+
+def _grown(end: End, stumps: list[tuple[Limb, Limb]]) -> End | None:
+    """The end with all of its limb, where that was cut off too soon. stumps : limbs, and what each goes on into."""
+    for limb, stump in stumps:
+        if end.saw is not None or ((limb.vertices[limb.tip] - end.tip) ** 2).sum() > 1e-12:
+            continue
+        loop = np.intersect1d(corners(stump.faces[stump.own]), corners(stump.faces[~stump.own]))
+        loop = loop[loop < len(limb.vertices)]
+        way = distances(limb.vertices, limb.faces, np.array([limb.tip]))
+        rim = float(way[loop].mean()) if len(loop) else math.inf
+        size = float(sum(area(one.vertices, one.faces[one.own]).sum() for one in (limb, stump)))
+        around = max((girth(line) for line in lines(limb.vertices, limb.faces, way, rim)), default=math.inf)
+        if size / around**2 >= TIGHT:
+            return replace(end, rim=rim, surface=size)
+    return None
+
+
+def _ends(x: Array, f: Array, sawn: bool = True) -> list[End]:
+    """The tips of a surface, the farthest first, each with where the limb about it ends; ``sawn``: at a plane as well."""
     known = about(f, len(x))
-    made = []
-    for tip in tips_of(x, f)[: 2 * MOST]:
-        cut = cut_at(x, f, distances(x, f, np.array([tip]), known))
-        made.append((x[tip], 0.0 if cut is None else cut[0] * cut[1]))
+    weight = np.zeros(len(x))
+    np.add.at(weight, f.ravel(), np.repeat(area(x, f) / 3.0, 3))
+    tips = np.array(tips_of(x, f)[: 2 * MOST])
+    made, tight, ways = [], [], []
+    for tip in tips:
+        way = distances(x, f, np.array([tip]), known)
+        cut = cut_at(x, f, way)
+        end = End(x[tip]) if cut is None else End(x[tip], float(weight[way < cut[0]].sum()), cut[0])
+        near = way < ABOUT
+        out = x[tip] - (weight[near, None] * x[near]).sum(0) / weight[near].sum()
+        made.append(end)
+        tight.append(SAWN if cut is None else end.surface / cut[1] ** 2)
+        ways.append(out / max(float(np.sqrt((out**2).sum())), 1e-9))
+    saws = Saws(x, f, known, weight)
+    for alone in (
+        (True, False) if sawn else ()
+    ):  # first those about one tip, then those with tips that have no limb of their own
+        others = np.array([alone or end.surface > 0.0 for end in made])
+        for k, tip in enumerate(tips):
+            if (made[k].surface > 0.0) if not alone else (made[k].surface > 0.0 and tight[k] >= TIGHT):
+                continue
+            saw = saws.best(int(tip), tips[others & (tips != tip)], ways[k], LEAST, SHORT)
+            if saw is not None and saw.size > tight[k]:
+                made[k] = End(x[tip], float(weight[saw.inside].sum()), 0.0, saw)
     return made
 
 
 def _round_of(
-    x: Array, f: Array, plane: Mirror | None, kept: list[Array], ends: list[tuple[Array, float]]
+    x: Array,
+    f: Array,
+    plane: Mirror | None,
+    kept: list[Array],
+    ends: list[End],
+    before: list[list[Limb]],
+    stumps: list[tuple[Limb, Limb]],
 ) -> tuple[list[list[Limb]], Array, Array]:
-    """The limbs that the surface has now, cut off, the smallest first, so that what they stood on comes after them."""
-    ends = [(p, size) for p, size in ends if all(((p - tip) ** 2).sum() > NEAR**2 for tip in kept)][:MOST]
-    points = [p for p, _ in ends]
-    sizes = {k: size for k, (_, size) in enumerate(ends) if size}
-    twins = _twins(points, plane, x)
+    """The limbs that the surface has now, cut off, the smallest first, so that what they stood on comes after them.
+
+    before : those cut off already; stumps : room for those of them that went on, and into what"""
+    ends = [end for end in ends if all(((end.tip - tip) ** 2).sum() > NEAR**2 for tip in kept)][:MOST]
     found: list[list[Limb]] = []
-    done: set[int] = set()
-    for k in sorted(sizes, key=lambda k: (sizes[k], k)):
-        if k in done:
+    done: list[Array] = []
+    for end in sorted((end for end in ends if end.surface), key=lambda end: end.surface):
+        if any(((end.tip - tip) ** 2).sum() < TWIN**2 for tip in done):
             continue
-        group = [k] + ([twins[k]] if k in twins and twins[k] not in done else [])
-        done |= set(group)
-        rim: float | None = None
-        cutoff: list[Limb] = []
-        for g in group:
-            used = corners(f)
-            tip = int(used[int(((x[used] - points[g]) ** 2).sum(1).argmin())])
-            if ((x[tip] - points[g]) ** 2).sum() > 1.0:
-                continue  # it went with another limb
-            way = distances(x, f, np.array([tip]))
-            if rim is None:
-                cut = cut_at(x, f, way)
-                if cut is None:
-                    break
-                rim = cut[0]
-            made = severed(x, f, way, tip, rim)
-            if made is not None and not _bears(made[0], kept):
-                limb, x, f = made
-                cutoff.append(limb)
-        if cutoff:
-            found.append(cutoff)
+        done.append(end.tip)
+        made = cut_off(x, f, end)
+        if made is None or _bears(made[0], kept):
+            continue
+        if (longer := _stump(made[0], before)) is not None:
+            stumps.append((longer, made[0]))
+            continue
+        limb, x, f = made
+        found.append([limb])
+        twin = end.twin(plane, x[corners(f)], ends, limb.aside(plane)) if plane is not None else None
+        if twin is not None and (made := cut_off(x, f, twin)) is not None and not _bears(made[0], kept):
+            other, x, f = made
+            done.append(twin.tip)
+            found[-1].append(other)
     return found, x, f
 
 
@@ -279,20 +250,3 @@ def _bears(limb: Limb, tips: list[Array]) -> bool:
     """Whether one of the ``tips`` (3,) lies on a limb."""
     own = limb.vertices[corners(limb.faces[limb.own])]
     return any(bool((((own - tip) ** 2).sum(1) < 1.0).any()) for tip in tips)
-
-
-def _twins(points: list[Array], plane: Mirror | None, x: Array) -> dict[int, int]:
-    """Which of the points mirror each other."""
-    if plane is None:
-        return {}
-    size = float(np.sqrt((np.ptp(x, axis=0) ** 2).sum()))
-    made: dict[int, int] = {}
-    for k, p in enumerate(points):
-        if abs(float(plane.off(p))) < 0.02 * size:
-            continue
-        off = [float(np.sqrt(((plane.image(p) - q) ** 2).sum())) for q in points]
-        j = int(np.argmin(off))
-        if j != k and off[j] < 0.05 * size and made.get(j, k) == k:
-            made[k] = j
-            made[j] = k
-    return made

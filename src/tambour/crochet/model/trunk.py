@@ -11,7 +11,7 @@ from tambour.crochet.model.geodesic import about, distances
 from tambour.crochet.model.whole import area, corners
 
 if TYPE_CHECKING:
-    from tambour.crochet.model.limbs import Limb
+    from tambour.crochet.model.cut import Limb
     from tambour.crochet.model.tips import Mirror
 
 END = 0.85
