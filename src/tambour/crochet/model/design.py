@@ -209,7 +209,7 @@ def _pieces(
     targets = [[task.target]]
     for title, group in zip(said[1:], groups):
         targets.append([Target.of(limb.vertices, limb.faces[limb.own]) for limb in group])
-        ways = [_way(limb, stitch) for limb in group]
+        ways = [_way(limb, stitch, group[0].rim) for limb in group]
         task = Task(title, ways[0], targets[-1][0], _hidden(ways[0]), params.plain_, "", params, stitch)
         with progress.stage("rounds"):
             first = tried(task, task.way.girths)
@@ -260,8 +260,9 @@ def _first(
     return best
 
 
-def _way(limb: Limb, stitch: tuple[float, float]) -> Fronts:
-    rows = max(2, round(limb.rim * stitch[0] / stitch[1]))
+def _way(limb: Limb, stitch: tuple[float, float], long: float) -> Fronts:
+    """The lines of a limb's rounds, as many as one so ``long`` has: all copies have the same."""
+    rows = max(2, round(long * stitch[0] / stitch[1]))
     return fronts(limb.vertices, limb.faces, limb.f, rows, limb.tip, limb.rim)
 
 
