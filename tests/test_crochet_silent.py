@@ -58,11 +58,11 @@ def test_the_loop_in_a_stitchs_name_is_not_lost(name: str, loops: str) -> None:
 @pytest.mark.parametrize(
     "words, want",
     [
-        ("Ch 5, hdc in 2nd ch from hook and in next 3 ch, slip st in next sc of 2nd rnd.", "picot5, slst"),
-        ("Ch 6, 2 dc in 3rd ch from hook, [2 dc in next ch] 3 times, sc in next 12 sc.", "picot6, 12 sc"),
+        ("Ch 5, hdc in 2nd ch from hook and in next 3 ch, slip st in next sc of 2nd rnd.", "curl{5 ch, 4 hdc}, slst"),
+        ("Ch 6, 2 dc in 3rd ch from hook, [2 dc in next ch] 3 times, sc in next 12 sc.", "curl{6 ch, 4 dcinc}, 12 sc"),
         ("*Sc in next sc, ch 9, begin in 2nd ch from hook, [sc3tog] twice, hdc in next ch, dc in last ch, sc in next sc; repeat from * around.",
-         "[sc, picot9, sc]x*"),
-        ("*Sc in next sc, ch 4, working in back bars, sl st in 2nd ch from hook and in next 2 ch; repeat from * around.", "[sc, picot4]x*"),
+         "[sc, curl{9 ch, 2 dec3, hdc, dc}, sc]x*"),
+        ("*Sc in next sc, ch 4, working in back bars, sl st in 2nd ch from hook and in next 2 ch; repeat from * around.", "[sc, curl{4 ch, 3 slst}]x*"),
     ],
 )  # fmt: skip
 def test_a_curl_may_begin_a_round_and_be_worked_in_any_stitches(words: str, want: str) -> None:
