@@ -56,6 +56,7 @@ WORDINGS = [
     "sc 5, line up arm 1 and sc 4 through both layers, sc 8, line up arm 2 and sc 4 through both layers, sc 3",
     "5 sc, 4 sc working through both the arm and the body, 8 sc, 4 sc working through both the arm and the body, 3 sc",
     "5 sc, 4 sc to attach arm, 8 sc, 4 sc to attach arm, 3 sc",
+    "Sc 5, hold the first arm against the body and sc 4 through the arm and body together, sc 8, join the second arm the same way with sc 4, sc 3",
     "5 sc, 4 sc joining arm, 8 sc, 4 sc joining second arm, 3 sc",
     "5 sc, 4 sc catching the arm, 8 sc, 4 sc catching the other arm, 3 sc",
 ]

@@ -111,3 +111,38 @@ def test_a_chain_worked_from_its_first_link_is_no_traceback():
         f"Head\n{ROUNDS}Rnd 5: sc in next 14 sts; ch 5; working in back bars, slip st in first 5 ch, sc in next 4 sts\n"
     )
     build(read_printed(Text(text, "head.txt")))
+
+
+OCTOPUS = """Tiny Octopus
+
+HEAD (teal)
+Rnd 1: 6sc in MR (6)
+Rnd 2: inc in every st around (12)
+Rnd 3: *sc 1, inc* repeat 6x (18)
+Rnds 4-7: sc in each st around (18)
+Rnd 8: *sc 7, dec* repeat 2x (16)
+{}
+Stuff the head firmly.
+Rnd 10: In the back loops left over from rnd 8: dec around (8)
+F/O.
+
+ASSEMBLY
+Embroider a small smile at rnd 6.
+"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Rnd 9 - the tentacles! Work in FLO: *sl st in next st, ch 14, starting in the 2nd ch from hook work 2 sc in each of the 13 chs,"
+        " sl st in next st of the head* repeat 8x. You have 8 curly tentacles (16 sl sts on the head)",
+        "Rnd 9: In FLO, *sl st in next st of the head, ch 14, 2 sc in 2nd ch from hook and in each ch, sl st in next st* 8 times. You have 16 sts.",
+        "Rnd 9 - arms! FLO: *sl st in next st, ch 14, starting in 2nd ch from hook 2 sc in each ch, sl st in next st of the head* x 8",
+    ],
+)
+def test_an_octopus_stands_on_the_arms_that_hang_off_it(line: str):
+    pattern = read(Text(OCTOPUS.format(line), "octopus.txt"))
+    assert not pattern.unread
+    (arms,) = (r for r in build(pattern).rounds if r.aside)
+    assert arms.last - arms.first + 1 == 8 * (14 + 26)
+    assert pattern.parts[0].up == "start", "what was worked first is on top"

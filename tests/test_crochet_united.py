@@ -94,6 +94,8 @@ def test_the_first_of_two_is_not_the_second(name: str, words: str) -> None:
         "along the chain, 12 sc around the second leg, 3 sc along the other side of the chain",
         "join legs: sc 12 along leg 1, ch 3, sc 12 along leg 2, sc 3 in chain",
         "ch 3, join to leg 1 with sc, sc 11 around leg 1, sc 3 across the chain, sc 12 around leg 2, sc 3 across the chain",
+        "with the second leg still on the hook, ch 3 and join to the first leg with a sc; this sc counts as the first. Sc 11 more around the first leg, "
+        "sc 3 along the chain, sc 12 around the second leg, sc 3 along the other side of the chain.",
         "12 sc around the second leg, ch 3, 12 sc around the first leg, 3 sc along the chain",
     ],
 )
@@ -115,3 +117,14 @@ Rnd 7: 30 sc (30)
     built = build(pattern)
     assert len(built.graph.parts) == 1
     assert [r.count for r in built.rounds if r.number in (6, 7) and r.count][-2:] == [30, 30]
+
+
+def test_the_usual_way_is_taken_where_its_count_bears_it_out() -> None:
+    text = f"{ONE}Rnd 6: pick up the second leg again, ch 2 and swing over to the first leg, sc all round both of them and the bridge ({{}})\n"
+    pattern = read(Text(text.format(28), "bear.txt"))
+    built = build(pattern)
+    assert [p.copies for p in pattern.parts] == [1] and built.worked[-1].edge == 28
+    assert any("2 along the chain" in p.message for p in pattern.warnings)
+    assert any(p.message.startswith("how the two are joined") for p in pattern.warnings)
+    other = read(Text(text.format(31), "bear.txt"))
+    assert not any(p.message.startswith("how the two are joined") for p in other.warnings) and other.unread

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.optimize import linear_sum_assignment
 from scipy.spatial import cKDTree
 
+from tambour.geometry.closest import tree
 from tambour.geometry.near import assigned, nearest
 
 
@@ -38,3 +39,8 @@ def test_an_assignment_costs_no_more_than_the_least(seed: int, m: int, more: int
     assert len(set(mine.tolist())) == m
     rows, theirs = linear_sum_assignment(cost)
     assert cost[np.arange(m), mine].sum() == pytest.approx(cost[rows, theirs].sum(), abs=1e-9)
+
+
+def test_a_mesh_without_faces_is_refused() -> None:
+    with pytest.raises(ValueError, match="without faces"):
+        tree(np.zeros((3, 3)), np.zeros((0, 3), np.int64))

@@ -32,7 +32,11 @@ class Tree:
 
 
 def tree(vertices: Array, faces: Array) -> Tree:
-    """The tree of a mesh with vertices (V, 3) and faces (F, 3), F ≥ 1."""
+    """The tree of a mesh with vertices (V, 3) and faces (F, 3). Raises ValueError where there are no faces."""
+    if not len(faces):
+        raise ValueError(
+            "a mesh without faces has no place that is nearest"
+        )  # the kernel writes a first box in any case
     corner = np.ascontiguousarray(np.asarray(vertices, np.float64)[faces].reshape(-1, 9))
     middle = corner.reshape(-1, 3, 3).mean(axis=1)
     count = 2 * len(corner)

@@ -31,6 +31,8 @@ _MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
 """A muzzle is so much of a head's rounds; eyes are in the first so many rounds behind it, which have so much of its stitches."""
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
+_LATER: Final = 0.6
+"""Strands behind this part of a piece's rounds hang off its end."""
 _HIND: Final = 0.75
 """A tail before this part of a piece's rounds says that they are not its hind end."""
 
@@ -85,6 +87,12 @@ class Upright(Toy):
                 self.made.ups[main.name] = up
         self.stand.set_up(part, self.made.ups.get(main.name) or self.up.get(main.name) or "end")
 
+    def _fringed(self, part: int) -> bool:
+        """Whether strands hang off one of a piece's later rounds: arms of an octopus, which it stands on."""
+        rounds = [r for r in self.built.rounds if r.part == part]
+        whole = [r for r in rounds if not r.aside]
+        return any(r.aside and sum(w.first < r.first for w in whole) > _LATER * len(whole) for r in rounds)
+
     def _upright(self, main: Made, part: int) -> str:
         low, high = numbers_of(self.spots, part)
         legs = sum(p.copies for p in self.parts if p.kind in ("leg",))
@@ -137,6 +145,7 @@ class Upright(Toy):
         if (
             early
             or any(p.kind == "tentacle" for p in self.parts)
+            or self._fringed(part)
             or _TOP.search(self.text[:4000])
             or self._named_top(main)
         ):

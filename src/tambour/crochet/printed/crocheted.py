@@ -67,7 +67,7 @@ def _wordings(nouns: tuple[str, ...], hosts: tuple[str, ...]) -> tuple[re.Patter
     )
     before = (
         rf"(?P<open>[(\[])?\s*(?:now\s+|then\s+)?(?:hold|place|put|position|attach|join|add|align|line\s+up|take|bring|insert|crochet\s+in)(?:ing)?\s+"
-        rf"{thing(7)}(?:\s+(?:up\s+)?(?:to|against|at|on|onto|over|next to|beside|in front of|along|with|inside|in)\s+{_THE}(?:side of\s+)?{_THE}"
+        rf"{thing(7)}(?:\s+(?:in\s+)?the\s+same\s+way)?(?:\s+(?:up\s+)?(?:to|against|at|on|onto|over|next to|beside|in front of|along|with|inside|in)\s+{_THE}(?:side of\s+)?{_THE}"
         rf"(?:body|head|doll|toy|torso|work|piece|place|position|opening)\b)?"
         rf"(?:(?(open)\s*[)\]]|)\s*(?:,|:|;|–|—|-)?\s*(?:and|by|with|then)?(?:\s+(?:work|crochet)(?:ing)?(?=\s))?)"
     )
@@ -76,6 +76,12 @@ def _wordings(nouns: tuple[str, ...], hosts: tuple[str, ...]) -> tuple[re.Patter
 
 def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tuple[list[Token], list[Held]]:
     """The words of a round without those that hold parts to it, and these."""
+    own = {one(w) for w in re.findall(r"[^\W\d_]+", draft.name.lower())}
+    tokens = [
+        t
+        for k, t in enumerate(tokens)
+        if not (k and t.kind == "word" and tokens[k - 1].value == "stitch" and one(t.word) in own)
+    ]  # "in next st of the head", in the head's own round
     parts = [d for d in p.parts if d is not draft and d.begun() and not d.merged and _noun(d)]
     if not parts or not any(t.kind == "stitch" for t in tokens):
         return tokens, []
@@ -84,6 +90,8 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
     found: list[Held] = []
     dropped: list[tuple[int, int]] = []
     nouns = tuple(dict.fromkeys(map(_noun, parts)))
+    if not any(noun in low.lower() for noun in nouns):
+        return tokens, []  # most rounds: what is said of no part need not be compiled
     hosts = tuple(w for w in re.findall(r"[^\W\d_]+", draft.name.lower()) if one(w) not in nouns and len(w) > 2)
     behind, before = _wordings(nouns, hosts)
     for pattern, leads in ((behind, False), (before, True)):
@@ -144,6 +152,7 @@ def hang(built: Built, held: Sequence[Held]) -> list[Placed]:
     """Where the parts hang that are crocheted in: each on the stitches that go through both, its end along them."""
     spots, graph, made = Spots(built), built.graph, list[Placed]()
     taken: dict[str, set[int]] = {}
+    through: set[int] = set()
     first = {f.section: k for k, f in reversed(list(enumerate(built.parts)))}
     names = [p.name for p in built.pattern.parts]
     for one_ in held:
@@ -152,6 +161,9 @@ def hang(built: Built, held: Sequence[Held]) -> list[Placed]:
             continue
         nodes = _nodes(built, first[host], one_)
         for run in np.split(nodes, np.flatnonzero(np.diff(nodes) > 1) + 1):
+            if through >= set(run.tolist()):
+                continue  # "hold the first arm against the body and sc 3 through the arm and body": one arm, said twice
+            through |= set(run.tolist())
             copy = _copy(one_, taken.setdefault(one_.part.name, set()))
             k = next(k for k, r in enumerate(built.rounds) if r.first <= run[0] <= r.last)
             order = spots.stitches(k).tolist()

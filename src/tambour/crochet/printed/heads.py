@@ -132,13 +132,14 @@ def _pointed(c: Cursor, numbers: list[int]) -> bool:
 
 
 def _label(tokens: list[Token], at: int) -> int:
-    """Where words at ``at`` end that only name a round, "Attach 2 Legs:", with their colon; 0 where they are none."""
-    if at >= len(tokens) or not tokens[at].capital or tokens[at].kind != "word":
+    """Where words at ``at`` end that only name a round, "Attach 2 Legs:", "the tentacles!", with their mark; 0 where they are none."""
+    if at >= len(tokens) or tokens[at].kind != "word":
         return 0
     end = at
     while end < len(tokens) and end - at < _LABEL and tokens[end].kind in ("word", "number"):
         end += 1
-    return end + 1 if end < len(tokens) and tokens[end].word == ":" else 0
+    calls = end < len(tokens) and tokens[end].word == "!" and all(t.kind == "word" for t in tokens[at:end])
+    return end + 1 if calls or (tokens[at].capital and end < len(tokens) and tokens[end].word == ":") else 0
 
 
 def _labelled(tokens: list[Token], at: int) -> int:

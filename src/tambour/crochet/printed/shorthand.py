@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.spread import spread
@@ -15,7 +16,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
-    tokens = spread(tokens)
+    tokens = spread(_had(tokens))
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]
@@ -35,6 +36,28 @@ def plain(tokens: list[Token]) -> list[Token]:
             made.append(token)
             at += 1
     return made
+
+
+def _had(tokens: list[Token]) -> list[Token]:
+    """A round without the sentence that only says what there is then, "You have 8 curly tentacles (16 sl sts on the head)", but for its count."""
+    at = next(
+        (k for k in range(2, len(tokens) - 2) if tokens[k].word == "have" and tokens[k - 1].word in (".", "!")), 0
+    )
+    if not at or any(t.word in (".", "!") and not t.glued for t in tokens[at:-1]):
+        return tokens
+    bracket = next((k for k in range(at, len(tokens) - 1) if tokens[k].word == "("), at)
+    counts = [
+        t
+        for t, after in pairwise(tokens[bracket:])
+        if t.kind == "number" and isinstance(t.value, int) and (after.kind == "stitch" or after.value == "stitch")
+    ]
+    if bracket == at and not counts:
+        return tokens[:at]
+    if len(counts) != 1:
+        return tokens
+    number = counts[0]
+    opens, closes = (Token("mark", sign, number.start, number.end) for sign in "()")
+    return [*tokens[:at], opens, number, closes]
 
 
 def _of_each(tokens: list[Token], at: int) -> int:

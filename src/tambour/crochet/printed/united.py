@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -44,10 +45,57 @@ def united(
     if twins is None:
         return None
     here, other, noun = twins
-    found = _runs(tokens, noun, lambda rank: _which(rank, here, other))
-    if found is None or here.edge is None or other.edge is None:
+    if here.edge is None or other.edge is None:
         return None
+    found = _runs(tokens, noun, lambda rank: _which(rank, here, other))
+    body = _round(p, draft, (here, other, noun), found, read, span) if found is not None else None
+    if body is None and (usual := _usual(tokens, here.edge, other.edge)) is not None:
+        body = _round(p, draft, (here, other, noun), usual, read, span)
+        if body is not None:
+            body.stated, body.stated_span, body.fit = body.edge, span, 2
+            around = f"around one, {usual[1]} along the chain, around the other and {usual[1]} along the chain again"
+            p.source.doubt(
+                f"how the two are joined is not understood word by word; {around} makes its count, {body.edge}, and is taken",
+                "say what is worked around each: ch 3, 12 sc around the first leg, 3 sc along the chain, …",
+                span,
+            )
+    return body
+
+
+def _usual(tokens: list[Token], here: int, other: int) -> tuple[list[Run], int] | None:
+    """The usual round over two pieces, where the words chain as many as its count asks for: around one, along the chain, around the other, and
+    along the chain again; None where these do not make the count that ends the words."""
+    numbers = [t.value for t in tokens if t.kind == "number" and isinstance(t.value, int)]
+    chained = [
+        b.value if a.value == "ch" else a.value
+        for a, b in pairwise(tokens)
+        if "ch" in (a.value, b.value) and isinstance(b.value if a.value == "ch" else a.value, int)
+    ]
+    chain = chained[0] if chained else 0
+    if not numbers or not 0 < chain <= _MOST or numbers[-1] != here + other + 2 * chain:
+        return None
+    place = tokens[0]
+
+    def run(piece: int, many: int) -> Run:
+        sc = Token("stitch", "sc", place.start, place.start, "sc")
+        number = Token("number", str(many), place.start, place.start, many)
+        return Run(piece, [number, sc, Token("mark", ".", place.start, place.start)])
+
+    return [run(1, other), run(2, chain), run(0, here), run(2, chain)], chain
+
+
+def _round(
+    p: State,
+    draft: Draft,
+    twins: tuple[Draft, Draft, str],
+    found: tuple[list[Run], int],
+    read: Callable[[list[Token], int], Body],
+    span: Span,
+) -> Body | None:
+    """The body of a round of these runs, the other piece taken into ``draft``; None where they do not go around both."""
+    here, other, noun = twins
     runs, chain = found
+    assert here.edge is not None and other.edge is not None
     left, bodies = [here.edge, other.edge, chain], []
     for run in runs:
         try:
@@ -178,6 +226,8 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
         at = [k for k in range(len(clause) - 1) if _rank(clause[k]) is not None and one(clause[k + 1].word) == noun]
         pieces = {which(_rank(clause[k]) or 0) for k in at}
         stitches = [t for t in clause if t.kind == "stitch"]
+        if any(t.value == "count" for t in clause) and not pieces:
+            continue  # "this sc counts as the first"
         if len(pieces) > 1:
             if stitches:
                 return None
