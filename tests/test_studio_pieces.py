@@ -308,7 +308,7 @@ def test_a_download_has_the_bytes_of_the_command_line(
 ) -> None:
     _, revision = new(ours, **SMALL["crochet"])
     monkeypatch.chdir(tmp_path)
-    Path("ball.acl").write_text(BALL)
+    Path("ball.acl").write_text(SMALL["crochet"]["source"]["text"])
     what = craft("crochet")
     run(
         what,

@@ -136,7 +136,7 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
 
 def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
     """The best of the tries that follow ``best``, each corrected by what the last one was off, whether that was better or not;
-    after two in a row that were not, by what the best one was."""
+    after four in a row that were not, by what the best one was."""
     history, step, now, idle = [best.distance.mean], STEP, best, 0
     for _ in range(tries):
         before = now
@@ -146,7 +146,7 @@ def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
         best = best if idle else now
         if now.rounds == before.rounds:
             break
-        if idle == 2:
+        if idle == 4:
             now, idle = best, 0
         step *= SLOWER
     return best, history

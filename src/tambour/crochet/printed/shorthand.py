@@ -102,8 +102,9 @@ def _from_hook(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
     hook = next((k for k in range(end + 1, min(end + 1 + _REACH, len(tokens))) if tokens[k].value == "hook"), 0)
     if not hook or any(t.kind in ("stitch", "number") for t in tokens[end + 1 : hook]):
         return None
-    if tokens[at].value == "in" and tokens[end + 1].value == "from":
-        return None  # as it is usually said
+    behind = at > 0 and tokens[at - 1].kind in ("stitch", "number")
+    if tokens[end + 1].value == "from" and (tokens[at].value == "in" or behind):
+        return None  # as it is usually said, or read behind its stitches (underside)
     place = tokens[at].start
 
     def key(word: str, value: str) -> Token:

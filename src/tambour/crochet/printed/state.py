@@ -97,7 +97,10 @@ class State:
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         explained(self.rows, self.vocabulary)
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
-        self.rows = parted(source.text.text, self.rows, self.vocabulary)
+        if not TERMS[self.language.code].prints(
+            source.text.text
+        ):  # ours has a round a line, and places such as "R1.8, st 2.8"
+            self.rows = parted(source.text.text, self.rows, self.vocabulary)
         if self.language.code in ("us", "uk"):
             self.rows = listed(self.rows, self.vocabulary)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)

@@ -51,7 +51,10 @@ def _titles(tokens: list[Token], vocabulary: Vocabulary) -> tuple[bool, bool] | 
     words = [t for t in tokens if t.kind == "word" or t.word == "#"]
     if not 1 < len(words) <= _TITLES or any(t.kind in ("number", "ordinal") or t.word in ":.," for t in tokens):
         return None
-    first, *rest = vocabulary.read(tokens)
+    read = vocabulary.read(tokens)
+    if not read:
+        return None
+    first, *rest = read
     if first.kind != "key" or first.value not in ("round", "row"):
         return None
     counts = [k for k, t in enumerate(rest) if t.value in ("stitch", "total", "count") or t.word in _TOTALS]
