@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -47,6 +47,9 @@ BARE = 0.3  # mm that thread may lie beside its area without a word
 ICON = 25.0  # mm: a drawing without a size of its own is often sewn smaller than this, and was hardly meant to be
 MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
 
+FARTHEST: Final = 4000.0
+"""How long a line of letters may be, mm: as long as files for machines can say."""
+
 
 def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
@@ -71,6 +74,12 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         for line in drawing.about.get("doubts", "").splitlines():
             progress.warn(line, where="the drawing")
         found = blotted(regions(drawing, params, progress))
+        if params.text is not None and found:
+            low, high = extent(found)  # no machine file holds more: told before it is sewn, not after
+            if float((high - low).max()) > FARTHEST:
+                raise TambourError(
+                    "the letters are longer than 4 m", hint="make {--text} shorter, or {--text-size} smaller"
+                )
         if isinstance(source, Drawing) and params.width is None:
             _told_size(found, progress)
         if not isinstance(source, Picture):
