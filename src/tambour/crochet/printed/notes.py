@@ -332,8 +332,6 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     Gives its spellings and the usual stitch that it is nearest to: the one that its name ends with, or that its
     explanation names first.
     """
-    if (short := _short(tokens)) is not None:
-        return short
     at = next((k for k, t in enumerate(tokens[:7]) if t.word in ("=", ":")), 0)
     name, said = tokens[:at], tokens[at + 1 :]
     if len(name) == 1 and name[0].kind == "stitch" and said and name[0].word.endswith("st"):
@@ -362,20 +360,6 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
         return [whole, f"{whole}s"], "loopst"
     kind = (named[-1:] or [glued] if named or glued else kinds[:1])[0]
     return [whole, f"{whole}s", whole.replace("-st", "-sts")], kind
-
-
-def _short(tokens: list[Token]) -> tuple[list[str], str] | None:
-    """A short word for a stitch that has a name: ``NO - Noppe``, ``pc = punto corrido``, where the table does not know it, or means another."""
-    if len(tokens) < 3 or tokens[1].word not in ("-", "=", ":") or tokens[2].kind != "stitch":
-        return None
-    word, stitch = tokens[0], tokens[2]
-    ended = len(tokens) == 3 or tokens[3].kind == "mark"
-    new = word.kind == "word" or (word.kind == "stitch" and word.value != stitch.value)
-    short = word.word.isalpha() and 1 < len(word.word) <= _SHORTEST < len(stitch.word)
-    return ([word.word], stitch.value) if new and short and ended else None
-
-
-_SHORTEST: Final = 4  # letters of a short word for a stitch
 
 
 def _close(tokens: list[Token]) -> int:
