@@ -308,23 +308,23 @@ def test_a_download_has_the_bytes_of_the_command_line(
 ) -> None:
     _, revision = new(ours, **SMALL["crochet"])
     monkeypatch.chdir(tmp_path)
-    Path("ball.acl").write_text(SMALL["crochet"]["source"]["text"])
+    Path("disc.acl").write_text(SMALL["crochet"]["source"]["text"])
     what = craft("crochet")
     run(
         what,
-        Path("ball.acl"),
+        Path("disc.acl"),
         what.params.of({"detail": "low"}),
-        ["ball.glb", "ball.txt", "ball.pack", "ball.steps.json"],
+        ["disc.glb", "disc.txt", "disc.pack", "disc.steps.json"],
     )
     for where, name in (
-        ("files/yarn.glb", "ball.glb"),
-        ("files/instructions.txt", "ball.txt"),
-        ("live.pack", "ball.pack"),
-        ("steps.json", "ball.steps.json"),
+        ("files/yarn.glb", "disc.glb"),
+        ("files/instructions.txt", "disc.txt"),
+        ("live.pack", "disc.pack"),
+        ("steps.json", "disc.steps.json"),
     ):
         assert ours.get(f"/api/revisions/{revision['id']}/{where}").content == Path(name).read_bytes(), name
     listed = ours.get(f"/api/revisions/{revision['id']}/files").json()["files"]
-    assert {f["name"]: f["size"] for f in listed}["ball.glb"] == Path("ball.glb").stat().st_size
+    assert {f["name"]: f["size"] for f in listed}["disc.glb"] == Path("disc.glb").stat().st_size
     tag = ours.get(f"/api/revisions/{revision['id']}/live.pack").headers["etag"]
     assert ours.get(f"/api/revisions/{revision['id']}/live.pack", headers={"if-none-match": tag}).status_code == 304
 
