@@ -41,7 +41,7 @@ $(VENV)/studio: $(VENV)/used front/package-lock.json
 
 # A file's tests stay together: what they share is made once.
 test: $(VENV)/ready
-	$(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
+	$(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile --durations 40
 
 kernels: $(VENV)/ready
 	$(BIN)/python -m kernels
