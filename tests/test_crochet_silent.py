@@ -7,6 +7,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.language.finishes import Embroidery, Eye
 from tambour.crochet.language.tree import Action, Group, Item, Pattern
+from tambour.crochet.page.hers import Hers, hers
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.shades import listed
@@ -406,3 +407,28 @@ def test_eyes_that_a_head_has_no_room_for_are_embroidered_none_the_less() -> Non
     head = "Head: With WS of work facing, join yarn with sl st to first st. Ch 1. 1 sc in same sp as sl st. 1 sc in each of next 8 sc. Sc2tog over next 2 sc. Turn.\n"
     words = f"{TOP}{body}{head}Next row: Ch 1. Sc2tog over first 2 sts. 1 sc in each of next 5 sc. Turn. 7 sc.\nFasten off.\nWith blue thread, embroider eye as shown in picture.\n"
     assert read(Text(words, "pup.txt")).built is not None
+
+
+@pytest.mark.parametrize(
+    "words, kept",
+    [
+        ("3rd rnd: With larger hook, 1 sc in each sc around. 12 sc.", ["With larger hook"]),
+        ("3rd rnd: 1 sc in each sc around, using a smaller hook. 12 sc.", ["using a smaller hook"]),
+        ("3rd rnd (right side): 1 sc in each of next 11 sc. 1 sc in next sc (thumb). 12 sc.", ["right side", "thumb"]),
+        ("3rd rnd: 1 sc in each sc around, pushing bumps to the outside. 12 sc.", ["pushing bumps to the outside"]),
+        ("3rd rnd: 1 sc in each sc around. 12 sc. Fasten off, leaving a long tail.", ["leaving a long tail"]),
+        ("3rd rnd: 1 sc in each sc around – keep the tail outside – 12 sc.", ["keep"]),
+        ("3rd rnd: 1 sc in each sc around (do not work into the ear). 12 sc.", ["do not work into the ear"]),
+        ("3rd rnd: With B, 1 sc in each of next 4 sc, with A, 1 sc in each sc to end of rnd. 12 sc.", []),
+        ("3rd rnd: *1 sc in next sc. Rep from * around. Join with sl st to top of first sc. 12 sc.", []),
+    ],
+)
+def test_what_the_tree_of_a_round_does_not_hold_stands_beside_it(words: str, kept: list[str]) -> None:
+    text = f"{TOP}{BODY}{words}\n"
+    pattern = read(Text(text, "pup.txt"))
+    notes = [text[n.start : n.end] for line in pattern.parts[0].lines[-2:] for n in line.notes]
+    said = [text[p.span.start : p.span.end] for p in pattern.unread if p.span]
+    printed = (hers(pattern, "us") or Hers()).sentences
+    for one in kept:
+        assert any(one in words for words in (*notes, *said, *printed))
+    assert kept or not notes

@@ -114,6 +114,14 @@ _BOTH: Final = re.compile(r"\bboth\b[^,;:.]*")
 """What is said of the two of them behind their places: "both pointing up"."""
 
 
+_OF_PLACE: Final = re.compile(
+    r"\b(?:of|on|onto|to|into|at|below|above|beneath|under|over|beside|between|around|near|from|behind|inside|where|along|across)"
+    r" (?:the|both|each|her|his|its|that) (?:\w+ )?$"
+)
+_YARNED: Final = re.compile(r"\w+(?: \w+)? (?:thread|yarn|floss|wool|cotton|embroidery|felt)")
+"""A colour by which a place is called ("one on each side of the white muzzle") is none of what is put there."""
+
+
 class Heard:
     """What the sentences say. parts : those that are there; text : all of it, in small letters; lost : sentences that put nothing anywhere."""
 
@@ -144,8 +152,9 @@ class Heard:
         if self._hair(low, sentence, order):
             return
         heard, begin = False, 0
+        own = [(at, rgb) for at, rgb in sentence.colors if not _OF_PLACE.search(low[:at]) or _YARNED.match(low, at)]
         for a, b in clauses(low):
-            shades = [rgb for at, rgb in sentence.colors if a <= at < b] or [rgb for _, rgb in sentence.colors[:1]]
+            shades = [rgb for at, rgb in own if a <= at < b] or [rgb for _, rgb in own[:1]]
             # What says nothing alone belongs to what follows: "locate the nose 1 rnd below and embroider it".
             done = self._clause(low[a:b], sentence, order, shades[0] if shades else None) or (
                 begin < a and self._clause(low[begin:b], sentence, order, shades[0] if shades else None)

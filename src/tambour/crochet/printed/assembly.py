@@ -21,7 +21,9 @@ from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
 
-_EYES: Final = re.compile(r"\d+(?:[.,]\d+)?\s*-?mm[^.;\n]{0,25}\beyes?\b|\beyes?\b[^.;\n]{0,12}\d+\s*mm", re.IGNORECASE)
+_EYES: Final = re.compile(
+    r"\d+(?:[.,]\d+)?\s*-?mm(?:(?!\d\s*-?mm)[^.;\n]){0,25}\beyes?\b|\beyes?\b[^.;\n]{0,12}\d+\s*mm", re.IGNORECASE
+)
 _POSE: Final = re.compile(
     r"[.!]?[ \t]+(?P<how>(?:they|it|these|both|each(?: one)?)\s+(?:should\s+|must\s+|will\s+)?(?:point|face|lean|hang|stand|stick)\w*\b[^.!?\n]*)",
     re.IGNORECASE,

@@ -14,6 +14,7 @@ from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
 from tambour.crochet.places.onward import worked_on
 from tambour.crochet.places.tubes import closed
+from tambour.crochet.printed.accounted import beside
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.crocheted import hang
@@ -87,6 +88,7 @@ class Printed(Headed):
             nameless.name, copies = nameless_is([draft.name for draft in self.parts[1:]], words)
             nameless.copies = max(nameless.copies, copies)
         for draft in self.parts:
+            draft.lines = beside(self, draft)
             draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text)
         sections = tuple(
             one

@@ -15,7 +15,7 @@ from tambour.crochet.yarns import class_of, hook_of
 FIBRES: Final = ("cotton", "acrylic", "chenille", "mohair", "wool")
 """What yarn may be of, as :attr:`CrochetParams.material` calls it, and the table of words says it."""
 
-_CLAUSE: Final = re.compile(r"(?:[^.!?|;•,]|[.!?](?!\s+[A-Z])|,(?!\s))+")
+_CLAUSE: Final = re.compile(r"(?:[^.!?|;•,\n]|[.!?](?!\s+[A-Z])|,(?!\s))+")
 _LENGTH: Final = re.compile(r"(?<![\d.,])\d+(?:[.,]\d+)?\s*(?:cm\b|inch(?:es)?\b|ins?\b|\"|″|”)", re.IGNORECASE)
 _OTHER: Final = ("hook", "round", "row", "stitch", "eyes", "yarn", "gauge", "leave", "ring", "stuff", "foundation")
 """What a length is of that is no size of the toy."""

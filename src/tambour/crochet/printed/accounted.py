@@ -1,0 +1,126 @@
+"""Printed patterns, accounted: words of a round that its reading passed over stand beside it in print, so that none is lost unsaid."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from dataclasses import replace
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.tree import Line
+from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+_WORD: Final = re.compile(r"[^\W\d_]{2,}")
+_STOPS: Final = frozenset((",", ".", ";", ":", "(", ")", "[", "]", "{", "}", "=", "!", "*", "**", "<", ">", "|", "/", "--", "---"))  # fmt: skip
+_USUAL: Final = frozenset(
+    """sc inc dec hdc dc tr dtr sl st sts slst ss ch chs stitch stitches rnd rnds round rounds row rows in each every of the
+    next and times time around all to from rep repeat into first last second third fourth fifth sixth two three four five six
+    seven eight nine ten once twice across join with magic ring circle loop loops only back front both bl fl blo flo blos mr mc
+    invdec invinc working work worked turn hook chain make same remaining rem skip sctog hdctog dctog tog together end yarn
+    fo fasten off as for until color change then another you there is are be on by st. htr ea beg beginning sp space spaces
+    ms fm km lm zun abn runde runden reihe masche maschen jede jeder tour tours rang rangs augm dim maille mailles chaque
+    vuelta vueltas cada aum dism pt pts pb toer toeren rij vaste vasten meerd mind elke steek steken""".split()
+)
+"""Words of rounds that want no second look."""
+_QUIET: Final = frozenset(
+    """up down out it its this that these those they we our your my now here throughout through any other another others one given follows following
+    below above previous prev said just made makes making more rest remaining unworked skipped draw drawing yoh yo alternate alt
+    alternately demonstrated shown diagram page photo picture desired progresses completed complete established established
+    until while when time start starting begin begins beginning begun continue continuing cont continuous continuously spiral
+    spirals count counts counted counting total row rows blocks references foundation evenly either along also again same
+    second round rounds around was were has have having had will would should can could may might do does not no so but or an if
+    top opposite side sides edge per at by on off over under about between after before again another first last both each
+    rep repeat chain chains stitch stitches loop loops hook yarn work works worked working using use way ways total lp lps bump bumps
+    pick attach joining joined break cut drop carry pm marker markers mark marked marking place placing placed""".split()
+)
+"""Words that a round's reading takes in, or that tell a hand nothing by themselves."""
+_SMALL: Final = 2  # letters of a yarn's or a stitch's short name
+
+
+def beside(p: State, draft: Draft) -> list[Line]:
+    """A part's lines, each with the clauses of its words that name what nothing of its reading stands for: a hook, a face, a tail that is
+    left, the place that a stitch is made for."""
+    text = p.source.text.text
+    tokens = [t for row in p.rows for t in row.tokens]
+    starts = [t.start for t in tokens]
+    told = [q.span for q in (*p.unread, *p.source.problems) if q.span is not None and q.span.end > q.span.start]
+    told += [one.span for one in p.sentences]
+    made = []
+    rounds = {line.span for line in draft.lines if line.in_round}
+    for line in draft.lines:
+        span = line.span
+        twofold = not line.in_round and span in rounds  # the round of these words has them
+        if (
+            line.gap
+            or twofold
+            or span == draft.span
+            or not (line.items or line.again)
+            or not _looked_at(text[span.start : span.end])
+        ):
+            made.append(line)
+            continue
+        some = tokens[bisect_left(starts, span.start) : bisect_left(starts, span.end)]
+        known = [*told, *line.notes]
+        left = [
+            s
+            for s in _passed(p, line, p.vocabulary.read(_parted(text, some)))
+            if not any(k.start < s.end and s.start < k.end for k in known)
+        ]
+        made.append(replace(line, notes=tuple(sorted((*line.notes, *left), key=lambda s: s.start))) if left else line)
+    return made
+
+
+def _parted(text: str, tokens: list[Token]) -> list[Token]:
+    """``tokens`` with a comma for every stroke that stands between words, and not within one."""
+    return [
+        replace(t, word=",")
+        if t.kind == "mark" and (text[t.start : t.end] in ("–", "—") or text[t.start - 1 : t.end + 1] == " - ")
+        else t
+        for t in tokens
+    ]
+
+
+def _looked_at(words: str) -> bool:
+    return any(m[0].lower() not in _USUAL for m in _WORD.finditer(words))
+
+
+def _passed(p: State, line: Line, tokens: list[Token]) -> list[Span]:
+    """The clauses of a line that hold a word which its reading does not stand for; those that follow each other are one."""
+    made: list[Span] = []
+    clause: list[Token] = []
+    joined = False
+    for token in [*tokens, None]:
+        if token is not None and not (token.kind == "mark" and token.word in _STOPS):
+            clause.append(token)
+            continue
+        if clause and _says(p, line, clause):
+            span = Span(clause[0].start, clause[-1].end)
+            made[-1:] = [Span(made[-1].start, span.end)] if joined else [*made[-1:], span]
+            joined = token is not None and token.word == ","
+        elif clause:
+            joined = False
+        clause = []
+    return made
+
+
+def _says(p: State, line: Line, clause: list[Token]) -> bool:
+    """Whether a clause holds a word that the tree does not."""
+    hooked = any(t.kind == "key" and t.value == "hook" for t in clause)
+    if hooked and not any(t.value in ("from", "ch") or t.word in _QUIET for t in clause):
+        return True  # "with smaller hook"
+    works = line.again is not None or any(t.kind == "stitch" or t.kind == "number" for t in clause)
+    for token in clause:
+        if token.kind != "word" or len(token.word) <= _SMALL or token.word in _QUIET or not token.word.isalpha():
+            continue
+        if p.palette.name(token.word) is not None or (works and _names(p, token.word)):
+            continue
+        return True
+    return False
+
+
+def _names(p: State, word: str) -> bool:
+    """Whether a word is of a part's name: "12 sc of First Leg", "as given for Head"."""
+    return any(word.rstrip("s") in (w.rstrip("s") for w in draft.name.lower().split()) for draft in p.parts)
