@@ -10,7 +10,7 @@ from tambour.crochet.language.tree import Action, Group, Item, Pattern
 from tambour.crochet.page.hers import Hers, hers
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.formed import complete
-from tambour.crochet.printed.shades import listed
+from tambour.crochet.printed.shades import dyed, listed
 
 TOP = "Pup\n\nMATERIALS\nContrast A White\nContrast B Black\nContrast C Red\n\nINSTRUCTIONS\n"
 BODY = "BODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
@@ -432,3 +432,44 @@ def test_what_the_tree_of_a_round_does_not_hold_stands_beside_it(words: str, kep
     for one in kept:
         assert any(one in words for words in (*notes, *said, *printed))
     assert kept or not notes
+
+
+@pytest.mark.parametrize(
+    "heading, name, copies, hue",
+    [
+        ("PUP – wings, 2 pieces (B)", "PUP wings", 2, "B"),
+        ("Wings x4, red", "Wings", 4, "C"),
+        ("~ SLICE ~ (make 2, black)", "SLICE", 2, "B"),
+        ("== LID == (red)", "LID", 1, "C"),
+        ("EARS (make 2, start in black)", "EARS", 2, "B"),
+        ("LID (B, then C for the last row)", "LID", 1, "B"),
+    ],
+)
+def test_a_heading_is_heard_to_its_end(heading: str, name: str, copies: int, hue: str) -> None:
+    words = f"{TOP}{BODY}Fasten off.\n\n{heading}\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n"
+    pattern = read(Text(words, "pup.txt"))
+    part = pattern.parts[1]
+    assert (part.name, part.copies) == (name, copies)
+    first = next(i for line in part.lines for i in line.items)
+    assert isinstance(first, Action)
+    assert first.numbers == dyed({"B": "Black", "C": "Red"}[hue])
+    assert any("then C" in words[p.span.start : p.span.end] for p in pattern.unread if p.span) == ("then C" in heading)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "one on each side of the white muzzle, 6 sts apart",
+        "6 sts apart, above the white patch",
+        "6 sts apart, on the red side",
+    ],
+)
+def test_eyes_have_no_colour_of_what_lies_beside_them(words: str) -> None:
+    text = f"{TOP}{BODY.replace('BODY', 'HEAD')}3rd to 9th rnds: 1 sc in each sc around.\nPut the eyes between 6th and 7th rnds, {words}.\n10th rnd: (Sc2tog) 6 times. 6 sc.\n"
+    eyes = [f for f in read(Text(text, "pup.txt")).finish if isinstance(f, Eye)]
+    assert eyes and {e.color for e in eyes} == {(24, 22, 22)}
+
+
+def test_a_hooks_size_is_not_that_of_the_eyes() -> None:
+    text = f"Pup\n\nhook 2.5 mm, 6 mm safety eyes, white yarn\n\n{BODY.replace('BODY', 'HEAD').replace('With A, ch', 'Ch')}3rd to 9th rnds: 1 sc in each sc around.\nPut the eyes between 6th and 7th rnds, 6 sts apart.\n"
+    assert [f.size for f in read(Text(text, "pup.txt")).finish if isinstance(f, Eye)] == [6.0, 6.0]

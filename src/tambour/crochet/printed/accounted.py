@@ -8,7 +8,8 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.tree import Line
+from tambour.core.rgb import RGB
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -37,6 +38,9 @@ _QUIET: Final = frozenset(
     pick attach joining joined break cut drop carry pm marker markers mark marked marking place placing placed""".split()
 )
 """Words that a round's reading takes in, or that tell a hand nothing by themselves."""
+UNHEADED: Final = "of this heading only the first yarn is worked with"
+_ALIKE: Final = frozenset("alike pieces piece pcs stück parts part both identical yarn".split())
+_HEADED: Final = 120  # letters of a line that is a heading
 _SMALL: Final = 2  # letters of a yarn's or a stitch's short name
 
 
@@ -71,6 +75,67 @@ def beside(p: State, draft: Draft) -> list[Line]:
         ]
         made.append(replace(line, notes=tuple(sorted((*line.notes, *left), key=lambda s: s.start))) if left else line)
     return made
+
+
+def headed(p: State, draft: Draft) -> None:
+    """Puts beside a part's first round what its heading says besides name, copies and yarn ("worked flat", "then white for the last row"), so
+    that it is printed; where that names a yarn or a number, which the work may want, it is told too."""
+    text = p.source.text.text
+    name = [w.rstrip("s") for w in draft.name.lower().split()]
+    begin = text.rfind("\n", 0, draft.span.start) + 1
+    end = text.find("\n", begin)
+    first = next(
+        (k for k, line in enumerate(draft.lines) if line.in_round and line.span.start > draft.span.start), None
+    )
+    end = min(
+        len(text) if end < 0 else end,
+        *(line.span.start for line in draft.lines if line.span.start > draft.span.start),
+        len(text),
+    )
+    row = next(
+        (row for row in p.rows if row.tokens and row.tokens[0].start <= draft.span.start <= row.tokens[-1].end), None
+    )
+    if first is None or row is None or not name or name[0] not in text[begin:end].lower() or end - begin > _HEADED:
+        return
+    told = [q.span for q in (*p.unread, *p.source.problems) if q.span is not None and q.span.end > begin]
+    worked = {i.numbers for line in draft.lines for i in line.items if isinstance(i, Action) and i.name == "color"}
+    hued, left, clause = False, [], []
+    for token in [*(t for t in p.vocabulary.read(_parted(text, row.tokens)) if t.end <= end), None]:
+        if token is not None and not (token.kind == "mark" and token.word in _STOPS):
+            clause.append(token)
+            continue
+        span = Span(clause[0].start, clause[-1].end) if clause else Span(0, 0)
+        hues = [hue for t in clause if (hue := _hue(p, t)) is not None]
+        rest = [
+            t
+            for t in clause
+            if t.word.isalpha() and _hue(p, t) is None and not _quiet(t) and t.word.rstrip("s") not in name
+        ]
+        if clause and not any(s.start < span.end and span.start < s.end for s in told):
+            if hued and any(hue not in worked for hue in hues):
+                p.tell(UNHEADED, "say it on a line of its own, before the round", span)
+            elif rest and len(rest) > bool(hues):
+                left.append(span)
+        hued, clause = hued or bool(hues) or (len(clause) == 1 and clause[0].capital and len(clause[0].word) == 1), []
+    if left:
+        line = draft.lines[first]
+        draft.lines[first] = replace(line, notes=(*left, *line.notes))
+
+
+def _hue(p: State, token: Token) -> RGB | None:
+    """The yarn that a word of a heading names."""
+    if token.capital and len(token.word) == 1:
+        return p.palette.given.get(token.word)
+    return p.palette.name(token.word) if token.kind == "word" else None
+
+
+def _quiet(token: Token) -> bool:
+    return (
+        len(token.word) <= _SMALL
+        or token.kind in ("key", "number", "ordinal")
+        or token.word in _QUIET
+        or token.word in _USUAL | _ALIKE
+    )
 
 
 def _parted(text: str, tokens: list[Token]) -> list[Token]:

@@ -12,6 +12,8 @@ from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 
 _FRAMES: Final = frozenset("*~-=<>_·•+#|/\\♥♡☆★^°:")
+_TURNS: Final = ("*", "~", "=", "_", "·", "•", "+")
+"""What stands before a name and behind it."""
 _WORDS: Final = 6  # of a name
 _ASIDE: Final = 8  # tokens behind a framed name: "*ARMS* (make 2)"
 _CLOSED: Final = frozenset((".", ",", ";", "!", "?"))
@@ -29,10 +31,13 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
     while end > begin and _frame(tokens[end - 1]):
         end -= 1
     led = begin > 0 or any(c in _FRAMES for c in text[row.start : tokens[0].start])
-    if begin and tokens[0].word == "*" and end == len(tokens):  # "*ARMS* 2x"
-        close = next((k for k in range(begin, end) if tokens[k].word == "*"), end)
-        behind = tokens[close + 1 :]
-        copied = close < end and len(behind) <= _ASIDE and not any(t.word == "*" or t.word in _CLOSED for t in behind)
+    if begin and tokens[0].word in _TURNS and end == len(tokens):  # "*ARMS* 2x", "~ CRUST ~ (brown)"
+        close = next((k for k in range(begin, end) if tokens[k].word == tokens[0].word), end)
+        behind = tokens[close:]
+        while behind and behind[0].word == tokens[0].word:
+            behind = behind[1:]
+        ended = any(t.word == tokens[0].word or (t.word in _CLOSED and t.word != ",") for t in behind)
+        copied = close < end and len(behind) <= _ASIDE and not ended
         if copied and _title(text, tokens[begin:close], vocabulary):
             return Row([*tokens[begin:close], *behind], row.start, row.end, max(row.marked, 1))
     elif led and end < len(tokens) and _title(text, tokens[begin:end], vocabulary):

@@ -96,7 +96,27 @@ class Palette:
             (m for said in (_BESIDE, _OF_YARN, _YARNED, _DASHED) for m in said.finditer(words)), key=lambda m: m.start()
         )
         named = (self.name(" ".join(m[1].lower().split())) for m in found)
-        return lettered or next((hue for hue in named if hue is not None), None)
+        return lettered or next((hue for hue in named if hue is not None), None) or self._aside(words)
+
+    def _aside(self, words: str) -> RGB | None:
+        """The first yarn that stands behind a heading's name, however it is said: "Wings (W)", "Pads x4, yellow", "OREILLES (x2, commencer en
+        brun)"."""
+        line = words.strip().split("\n")[0]
+        begin = _PARTING.search(line)
+        if begin is None or len(line) > _HEADED:
+            return None
+        for aside in _ASIDES.finditer(line, begin.start()):
+            said = [w.lower() for w in _SAID.findall(aside[0])]
+            if said and len(said[0]) == 1 and aside[0].strip()[:1].isupper():
+                return self.given.get(said[0])
+            if any(w in _OTHERS for w in said):
+                continue
+            for at in range(len(said)):
+                for length in (3, 2, 1):
+                    hue = self.name(" ".join(said[at : at + length])) if at + length <= len(said) else None
+                    if hue is not None:
+                        return hue
+        return None
 
     def color(self, c: Cursor, at: int | None = None) -> tuple[RGB, int] | None:
         """The colour that stands at token ``at`` (else at the cursor), and how many tokens it takes."""
@@ -139,6 +159,12 @@ class Palette:
         return self.given.get(word) or only or _SHADES[index % len(_SHADES)], length
 
 
+_PARTING: Final = re.compile(r"[(\[,:|/]|[x×]\s?\d|\d\s?[x×]|\s[-–—]\s|[–—]")
+_ASIDES: Final = re.compile(r"[^()\[\],;:|/–—]+")
+_SAID: Final = re.compile(r"[^\W\d_]+")
+_HEADED: Final = 80  # letters of a line that may be a heading
+_OTHERS: Final = frozenset(("eyes", "eye", "hook", "nose", "see", "page", "photo", "picture", "sts", "stitches", "rnds", "rounds", "like", "patch"))  # fmt: skip
+"""What is named beside a colour that is no yarn of the whole piece."""
 _WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|CC|[A-K])\b")
 _BESIDE: Final = re.compile(
     r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"

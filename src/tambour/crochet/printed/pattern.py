@@ -14,7 +14,7 @@ from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
 from tambour.crochet.places.onward import worked_on
 from tambour.crochet.places.tubes import closed
-from tambour.crochet.printed.accounted import beside
+from tambour.crochet.printed.accounted import beside, headed
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.crocheted import hang
@@ -89,6 +89,7 @@ class Printed(Headed):
             nameless.copies = max(nameless.copies, copies)
         for draft in self.parts:
             draft.lines = beside(self, draft)
+            headed(self, draft)
             draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text)
         sections = tuple(
             one
