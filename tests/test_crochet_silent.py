@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tambour.core.errors import Text
-from tambour.crochet.language.finishes import Embroidery, Eye
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed
+from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Group, Item, Pattern
 from tambour.crochet.page.hers import Hers, hers
 from tambour.crochet.printed.choose import read
@@ -473,3 +474,33 @@ def test_eyes_have_no_colour_of_what_lies_beside_them(words: str) -> None:
 def test_a_hooks_size_is_not_that_of_the_eyes() -> None:
     text = f"Pup\n\nhook 2.5 mm, 6 mm safety eyes, white yarn\n\n{BODY.replace('BODY', 'HEAD').replace('With A, ch', 'Ch')}3rd to 9th rnds: 1 sc in each sc around.\nPut the eyes between 6th and 7th rnds, 6 sts apart.\n"
     assert [f.size for f in read(Text(text, "pup.txt")).finish if isinstance(f, Eye)] == [6.0, 6.0]
+
+
+WHOLE = f"{TOP}MUZZLE\nWith A, ch 2.\n{LAST}\n{BODY.replace('BODY', 'HEAD')}3rd to 9th rnds: 1 sc in each sc around.{{}}\n10th rnd: (Sc2tog) 6 times. 6 sc.\nFasten off.\n\nFINISHING\n{{}}\n"
+
+
+@pytest.mark.parametrize(
+    "within, behind",
+    [
+        (" Sew on muzzle, stuffing lightly as you work.", "Embroider a mouth below the muzzle."),
+        ("", "Stuff the muzzle lightly and sew it to the head over rounds 4 to 7."),
+        ("", "Sew the muzzle to the front of the head, stuffing it lightly before closing."),
+    ],
+)
+def test_how_a_part_is_stuffed_is_heard_where_it_is_sewn_on(within: str, behind: str) -> None:
+    parts = {p.name: p for p in read(Text(WHOLE.format(within, behind), "pup.txt")).parts}
+    assert parts["MUZZLE"].stuffing == STUFFING["light"]
+    assert parts["HEAD"].stuffing != STUFFING["light"]
+
+
+@pytest.mark.parametrize("where", ["between 4 and 6 row", "at the level of 5 row", "from 4 to 6 round"])
+def test_rounds_may_have_their_number_before_them(where: str) -> None:
+    found = read(Text(WHOLE.format("", f"Sew the muzzle to the head {where}."), "pup.txt")).finish
+    assert [f.spot.round for f in found if isinstance(f, Placed)] == [5.0]
+
+
+@pytest.mark.parametrize("host", ["the pie", "the top of the basket", "the left fender"])
+def test_what_is_sewn_to_something_that_is_no_part_is_guessed_and_told(host: str) -> None:
+    pattern = read(Text(WHOLE.format("", f"Sew the muzzle to {host}."), "pup.txt"))
+    told = [w.message for w in pattern.warnings] + [u.message for u in pattern.unread]
+    assert any("MUZZLE" in words for words in told) or not [f for f in pattern.finish if isinstance(f, Placed)]

@@ -80,6 +80,7 @@ class Put:
     order: int
     guess: bool = False
     word: str = ""
+    strange: bool = False  # it is sewn to something that no part is called
 
     @property
     def kind(self) -> str:
@@ -114,6 +115,13 @@ _BOTH: Final = re.compile(r"\bboth\b[^,;:.]*")
 """What is said of the two of them behind their places: "both pointing up"."""
 
 
+_NO_PART: Final = frozenset(
+    """the its her his their each both either other one two three side sides top bottom back front rear middle center centre left right upper lower
+    and with using over under place piece toy work shown photo picture pictured photograph diagram image guide reference matching yarn thread
+    tail tails end ends sewing needle securely firmly neatly evenly whip stitch whipstitch stitches same way opposite face facing edge edges
+    seam around all together desired needed from this that small long down just slightly""".split()
+)
+"""Words behind "to" that name no part."""
 _OF_PLACE: Final = re.compile(
     r"\b(?:of|on|onto|to|into|at|below|above|beneath|under|over|beside|between|around|near|from|behind|inside|where|along|across)"
     r" (?:the|both|each|her|his|its|that) (?:\w+ )?$"
@@ -308,8 +316,11 @@ class Heard:
             host = (host[0], 0) if host[0].copies == len([c for c in copies if c[0] != host[0]]) > 1 else host
             copies = [c for c in copies if c[0] != host[0]]
         word = {p: m.word for m in objects for p, _ in m.copies}
+        onto = set(re.findall(r"[a-z]{3,}", low[to.end() :])) if to is not None and host is None else set()
+        strange = bool(onto - _NO_PART) and not self._region(low) and not at.beside and at.rounds is None
         for group in _apart(copies):
-            self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, word=one(word[group[0][0]])))
+            called = one(word[group[0][0]])
+            self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, False, called, strange))
         return True
 
     def _counted(self, mention: Mention, low: str) -> tuple[Copy, ...]:

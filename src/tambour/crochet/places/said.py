@@ -28,6 +28,11 @@ _ORDINAL: Final = re.compile(
     rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b(\d+)(?:st|nd|rd|th)"
     rf"(?:\s*(?:{_ROUND})?\s*(-|–|to|and|&|through)\s*(?:the\s+)?(\d+)(?:st|nd|rd|th))?\s+{_ROUND}\b"
 )
+_NUMBER_FIRST: Final = re.compile(
+    r"\b(between|from|on|at|in|of|along) (?:the )?(?:level of (?:the )?)?(\d+)(?:\s*(-|–|to|and|till|until)\s*(\d+))? (?:row|round|rnd)\b"
+    r"(?! (?:below|above|under|over|apart|from|down|up|high|higher|lower|wide|away|further)\b)"
+)
+"""Rounds whose number stands before them, as translators have it: "between 10 and 11 row", "at the level of 13 row"."""
 _APART: Final = re.compile(
     rf"({N})(?:\s*(?:-|–|to|or)\s*({N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
     rf"visible between|left between)"
@@ -123,6 +128,7 @@ class Where:
 def where(text: str) -> Where:
     """What ``text`` (in small letters) says of a place."""
     rounds = None
+    text = _NUMBER_FIRST.sub(lambda m: f"{m[1]} row {m[2]}" + (f" {m[3]} {m[4]}" if m[4] else ""), text)
     text = _DOING.sub("", text)
     text = re.sub(r"\b(?:on|at) the outsides? of (?:the |each |both )", "beside the ", text)
     text = re.sub(r"\b(?:approx(?:imately)?\.?|about|around(?= \d)|roughly)\s+", "", text)

@@ -95,7 +95,14 @@ def headed(p: State, draft: Draft) -> None:
     row = next(
         (row for row in p.rows if row.tokens and row.tokens[0].start <= draft.span.start <= row.tokens[-1].end), None
     )
-    if first is None or row is None or not name or name[0] not in text[begin:end].lower() or end - begin > _HEADED:
+    if (
+        first is None
+        or row is None
+        or not name
+        or row.tokens[0].start in p.hued
+        or name[0] not in text[begin:end].lower()
+        or end - begin > _HEADED
+    ):
         return
     told = [q.span for q in (*p.unread, *p.source.problems) if q.span is not None and q.span.end > begin]
     worked = {i.numbers for line in draft.lines for i in line.items if isinstance(i, Action) and i.name == "color"}

@@ -28,7 +28,7 @@ from tambour.crochet.printed.items import works as works_some
 from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.put import finishing, stuffed
+from tambour.crochet.printed.put import ended, finishing, sews, stuffed
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import worked as stitches_of
 from tambour.crochet.printed.remarks import remark
@@ -171,9 +171,9 @@ class Headed(State):
                 unread.append(left)
             handed = handed or put
         instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
-        notes = tuple(Span(d[0].start, d[-1].end) for d in read.doings if d)
+        notes = tuple(Span(d[0].start, ended(self.source.text.text, d[-1].end)) for d in read.doings if d)
         for done in read.doings:
-            amount = stuffed(done)
+            amount = None if sews(self, done) and finishing(self, done) else stuffed(done)
             if amount is not None and amount >= 0:
                 draft.stuffing = amount
         if read.refers is not None:

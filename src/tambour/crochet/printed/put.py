@@ -11,6 +11,7 @@ from tambour.crochet.places.assembling import assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken
 from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
@@ -19,6 +20,7 @@ _SEWN: Final = re.compile(
 )
 
 
+_NEAR: Final = 6  # words from "stuff" on that say what, and how
 _HOW: Final = re.compile(r"\b(?:posts?|shanks?)\b[^.;]*\bbetween\b[^.;]*\bstrands\b", re.IGNORECASE)
 """How eyes are fastened, wherever they are: "Push posts of eyes between strands of a stitch"."""
 
@@ -65,6 +67,12 @@ _TIPS: Final = frozenset(
 """Words of sentences that have a part's end stuffed, and no more."""
 
 
+def ended(text: str, at: int) -> int:
+    """Where the sentence ends of which the last words may be no tokens, since they work nothing."""
+    rest = _UNSAID.match(text, at)
+    return at if rest is None else rest.end()
+
+
 def finishing(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence puts a part or a face somewhere; it is kept until all parts are known."""
     if not p.parts or p.mode in ("materials", "abbreviations"):
@@ -77,6 +85,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     names = [draft.name for draft in p.parts]
     if not assembling(spoken(_OFF.sub(" ", text), names), names) and not _SEWN.search(text):
         return False
+    _filled(p, tokens)
     whole = p.source.text.text
     line = whole.rfind("\n", 0, tokens[0].start) + 1
     before, rest = _BEFORE.search(whole[line : tokens[0].start]), _UNSAID.match(whole, tokens[-1].end)
@@ -84,6 +93,34 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     span = Span(begin, tokens[-1].end if rest is None else rest.end())
     p.sentences.append(Said(tokens, p.parts[-1].name, span, p.heading is not None))
     return True
+
+
+def sews(p: State, tokens: list[Token]) -> bool:
+    """Whether what hands do while a round is worked sews another part on: "Sew on the snout, stuffing lightly as you work"."""
+    first = tokens[0].word in ("sew", "attach", "stitch", "pin")
+    named = _named(p, tokens[1:])
+    return first and named is not None and named is not p.parts[-1]
+
+
+def _filled(p: State, tokens: list[Token]) -> None:
+    """Takes how a part is stuffed from the sentence that sews it on: "Stuff the muzzle lightly and sew it to the head", "Sew on the snout,
+    stuffing lightly as you work"."""
+    at = next((k for k, t in enumerate(tokens) if t.kind == "key" and t.value == "stuff"), None)
+    if at is None or any(t.value == "not" for t in tokens[max(0, at - 3) : at]):
+        return
+    near = tokens[at : at + _NEAR]
+    amount = next((word for word in ("light", "medium", "firm") if any(t.value == word for t in near)), None)
+    behind = _named(p, near)
+    part = behind or _named(p, tokens[:at])
+    if amount is not None and part is not None and part.stuffing is None:
+        part.stuffing = STUFFING[amount]
+
+
+def _named(p: State, tokens: list[Token]) -> Draft | None:
+    """The first part that words name."""
+    words = [one(t.word) for t in tokens]
+    kinds = {draft.name: {one(w) for w in draft.name.lower().split()} for draft in p.parts}
+    return next((draft for word in words for draft in p.parts if len(word) > 1 and word in kinds[draft.name]), None)
 
 
 def stuffed(tokens: list[Token], part: str = "", said: str = "") -> float | None:
