@@ -11,7 +11,7 @@ from tambour.crochet.language.tree import Action, Group, Item, Pattern
 from tambour.crochet.page.hers import Hers, hers
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.formed import complete
-from tambour.crochet.printed.shades import dyed, listed
+from tambour.crochet.printed.shades import dyed, listed, shade
 
 TOP = "Pup\n\nMATERIALS\nContrast A White\nContrast B Black\nContrast C Red\n\nINSTRUCTIONS\n"
 BODY = "BODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
@@ -504,3 +504,39 @@ def test_what_is_sewn_to_something_that_is_no_part_is_guessed_and_told(host: str
     pattern = read(Text(WHOLE.format("", f"Sew the muzzle to {host}."), "pup.txt"))
     told = [w.message for w in pattern.warnings] + [u.message for u in pattern.unread]
     assert any("MUZZLE" in words for words in told) or not [f for f in pattern.finish if isinstance(f, Placed)]
+
+
+@pytest.mark.parametrize(
+    "words, told",
+    [
+        ("With zinnia, ch 2.", True),
+        ("In zinnia yarn, ch 2.", True),
+        ("Start with zinnia. Ch 2.", True),
+        ("With oatmeal, ch 2.", False),
+        ("Using honey, ch 2.", False),
+    ],
+)
+def test_a_yarn_of_the_list_whose_colour_is_not_known_is_told(words: str, told: bool) -> None:
+    top = "Pup\n\nMATERIALS\nDK cotton in zinnia, 20 g oatmeal, honey\n\nINSTRUCTIONS\n"
+    text = f"{top}{BODY.replace('With A, ch 2.', words)}"
+    pattern = read(Text(text, "pup.txt"))
+    said = [text[p.span.start : p.span.end] for p in (*pattern.unread, *pattern.warnings) if p.span]
+    assert told == any("zinnia" in one for one in said)
+    hues = {i.numbers for line in pattern.parts[0].lines for i in line.items if isinstance(i, Action)}
+    assert told or hues & {shade("oatmeal"), shade("honey")}
+
+
+def test_the_tip_of_a_nose_heads_no_list_of_tips() -> None:
+    words = f"{TOP}{BODY}Fasten off.\n\nTHE TIP OF THE NOSE\nIn black, six sc into a ring for the first round, and then one round more of six.\n"
+    pattern = read(Text(words, "pup.txt"))
+    assert len(pattern.parts) > 1 or any("six sc" in words[p.span.start : p.span.end] for p in pattern.unread if p.span)
+
+
+@pytest.mark.parametrize("words", ["Augen zwischen R2 und R3, Abstand 7 M", "Augen: zwischen R2 und R3, 7 M Abstand"])
+def test_eyes_that_are_not_placed_are_told(words: str) -> None:
+    text = (
+        f"Schaf\n\nWolle in Weiß\n\nKOPF, weiß\nR1: 7 FM in MR (7)\nR2: ZU*7 (14)\nR3: 14 FM\n{words}\nR4: AB*7 (7)\n"
+    )
+    pattern = read(Text(text, "schaf.txt"))
+    said = [text[p.span.start : p.span.end] for p in (*pattern.unread, *pattern.warnings) if p.span]
+    assert any(isinstance(f, Eye) for f in pattern.finish) or any("Augen" in one for one in said)

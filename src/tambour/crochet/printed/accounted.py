@@ -121,7 +121,7 @@ def headed(p: State, draft: Draft) -> None:
         if clause and not any(s.start < span.end and span.start < s.end for s in told):
             if hued and any(hue not in worked for hue in hues):
                 p.tell(UNHEADED, "say it on a line of its own, before the round", span)
-            elif rest and len(rest) > bool(hues):
+            elif any(t.value == "hook" for t in clause) or len(rest) > bool(hues):
                 left.append(span)
         hued, clause = hued or bool(hues) or (len(clause) == 1 and clause[0].capital and len(clause[0].word) == 1), []
     if left:

@@ -11,7 +11,7 @@ from tambour.core.rgb import RGB, css_colors, unhexed
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.items import works
-from tambour.crochet.printed.shades import dyed, listed, said
+from tambour.crochet.printed.shades import dyed, listed, said, shade
 from tambour.crochet.printed.shelf import shelf
 
 _HEADING: Final = 400
@@ -43,13 +43,15 @@ class Palette:
         self.yarns: dict[
             str, tuple[RGB, str, Span]
         ] = {}  # what the list of materials calls its yarns, as it is written there
+        self.owned: set[str] = set()  # the words of lists of yarn, some of which are colours there and things elsewhere
         self.meant: dict[str, str] = {}  # colours that mean the one yarn of the list whose name they are part of
 
     def name(self, words: str) -> RGB | None:
         """The colour of a name, None when it is none."""
         if self.pure:
             return self.given.get(words) or css_colors().get(words.replace(" ", "")) or said(words)
-        return self.given.get(words) or self.foreign.get(words) or self._on_shelf(words) or said(words)
+        owned = shade(words) if words.split()[-1:] and words.split()[-1] in self.owned else None
+        return self.given.get(words) or self.foreign.get(words) or self._on_shelf(words) or said(words) or owned
 
     def _on_shelf(self, words: str) -> RGB | None:
         """The colour of the yarn that the list calls so, or of the only one whose name has these words: "grey" where "Light Grey" is."""
@@ -69,6 +71,7 @@ class Palette:
 
     def listed(self, line: str, begin: int = 0) -> None:
         """Takes the yarns that a line of the materials names, ``begin`` its place in the text, and the letters that it gives them."""
+        self.owned.update(w.lower() for w in _SAID.findall(line) if len(w) > 2)
         for name, also, at in shelf(line):
             hue = dyed(name)
             span = Span(begin + at, begin + at + len(name))

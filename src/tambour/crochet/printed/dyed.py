@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from typing import Final
+
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import MEANT
 from tambour.crochet.language.tree import Pattern
@@ -27,8 +30,25 @@ def yarns_told(p: State, pattern: Pattern) -> None:
             p.source.doubt(f"nothing that was understood is made with the {name} of this list", hint, span)
 
 
+_WORN: Final = re.compile(
+    r"(?:^|[.;:] |\n)[ \t*-]*(?:with|using|use|in|change to|switch to|go on with|begin with|start with|continue with)[ \t]+"
+    r"((?:[^\W\d_]+ ){0,2}[^\W\d_]{3,})(?: yarn)?(?=[,.:;\n]|$)",
+    re.IGNORECASE,
+)
+"""A yarn that work goes on in: "With flamingo, make a ring."."""
+
+
 def colors_told(p: State) -> None:
-    """Letters of yarns that the text gives no colour."""
+    """Letters of yarns that the text gives no colour, and names of its list that are no colours that are known."""
+    begin = min((draft.span.start for draft in p.parts), default=0)
+    unknown: dict[str, Span] = {}
+    for m in _WORN.finditer(p.source.text.text, begin):
+        words = m[1].lower().split()
+        if words[-1] in p.palette.owned and not any(p.palette.name(" ".join(words[k:])) for k in range(len(words))):
+            unknown.setdefault(words[-1], Span(m.start(1), m.end(1)))
+    for span in unknown.values():
+        if not any(q.span is not None and q.span.start < span.end and span.start < q.span.end for q in p.unread):
+            p.source.doubt("the colour of this yarn is not known", "say it in a word for a colour: light pink", span)
     if p.palette.told:
         named = p.palette.named
         letters = ", ".join(dict.fromkeys(w.upper() + (f" ({named[w]})" if w in named else "") for w in p.palette.told))

@@ -117,7 +117,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     first = tokens[0]
     names = [t for t in tokens if t.kind != "mark"]
     listed = first.value != "eyes" or (p.mode in ("materials", "abbreviations") and not founds(p))
-    if len(names) <= 3 and first.kind == "key" and first.value in MODES and listed:
+    tipped = MODES.get(str(first.value)) == "notes" and any(kind_of(one(t.word)) for t in names[1:])  # "Tip of Nose"
+    if len(names) <= 3 and first.kind == "key" and first.value in MODES and listed and not tipped:
         p.mode = MODES[first.value]
         p.below = BELOW.get(first.value, "")
         p.heading = None

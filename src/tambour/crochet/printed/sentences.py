@@ -284,6 +284,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         p.lead += [Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False)] if body.items else []
         return True
     if body.doings and not body.items and not body.left:
+        if p.parts and any(t.value == "eyes" for t in tokens) and sum(t.kind == "number" for t in tokens) > 1:
+            p.tell(NOT_UNDERSTOOD, "say the rounds and the stitches between them in a sentence of its own", span)
         p.passed.append(span)
         return True
     if body.left or not (body.items or body.ends):

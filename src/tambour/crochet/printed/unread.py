@@ -30,7 +30,10 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     if p.mode in ("materials", "abbreviations") and not (first_round(tokens) and not p.parts):
         return False
     stitches = any(t.kind == "stitch" for t in tokens)
-    numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
+    numbers = any(
+        t.kind in ("number", "ordinal") and (t.word[0].isdigit() or (stitches and t.kind == "number" and t.value != 1))
+        for t in tokens
+    )
     if tokens[0].value == "make" and any(t.kind == "ordinal" for t in tokens[1:4]):
         return bool(p.parts)  # "Make the second leg and do not cut the yarn"
     explains = any(t.word == "=" for t in tokens)
