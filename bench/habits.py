@@ -92,8 +92,10 @@ def made(text: Text) -> tuple[list[Rounds], list[str], list[str]]:
     parts = [Rounds(p.heading or p.name, p.copies) for p in pattern.parts]
     for worked in built.worked:
         fact = built.parts[worked.part]
-        if fact.copy == 1 and worked.line.in_round and worked.made and not worked.line.gap:
-            parts[fact.section].counts.append(worked.edge)
+        if fact.copy == 1 and worked.line.in_round and (worked.made or worked.edge) and not worked.line.gap:
+            parts[fact.section].counts.append(
+                worked.edge or worked.made
+            )  # an end worked shut leaves no edge, but its stitches
     return parts, told, [p.message for p in built.warnings if "the pattern says" in p.message]
 
 

@@ -21,7 +21,40 @@ _CLOSED: Final = frozenset((".", ",", ";", "!", "?"))
 
 def banners(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     """``rows`` with what frames or numbers a part's name taken off, and such a line marked as a heading."""
-    return [_unframed(text, row, vocabulary) if row.tokens else row for row in rows]
+    made: list[Row] = []
+    for row in rows:
+        made += _remarked(text, _unframed(text, row, vocabulary), vocabulary) if row.tokens else [row]
+    return made
+
+
+_REMARK: Final = 4  # words of a remark that is none of a heading's own
+
+
+def _remarked(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
+    """A heading with a remark in brackets as two lines: ``Scarf (back and forth, every 4 rows another colour)``, ``BOW TIE (boys & girls both
+    look smashing in one) - second colour``."""
+    tokens = row.tokens
+    opened = next((k for k, t in enumerate(tokens) if t.word == "("), 0)
+    closed = next((k for k, t in enumerate(tokens) if t.word == ")"), 0)
+    if not 0 < opened < closed or not tokens[0].capital or opened > _WORDS:
+        return [row]
+    name, inner, behind = tokens[:opened], tokens[opened + 1 : closed], tokens[closed + 1 :]
+    words = [t for t in inner if t.kind == "word"]
+    if len(words) < _REMARK or any(t.kind != "word" for t in name) or not kind_of(one(name[-1].word)):
+        return [row]
+    if any(t.kind == "key" and t.value in ("make", "times") for t in vocabulary.read(inner)) or behind[:1] == [":"]:
+        return [row]
+    if (
+        any(t.kind == "stitch" for t in vocabulary.read(name))
+        or len(behind) > _ASIDE
+        or any(t.word == ":" for t in behind)
+    ):
+        return [row]
+    first = [*name, *behind]
+    return [
+        Row(first, row.start, row.end, max(row.marked, 1)),
+        Row(inner, inner[0].start, inner[-1].end),
+    ]
 
 
 def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:

@@ -8,6 +8,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.doings import works
+from tambour.crochet.printed.lines import turning
 from tambour.crochet.printed.remarks import yarned
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -27,6 +28,8 @@ def convention(p: State, tokens: list[Token]) -> bool:
     tokens = _said(tokens)
     if not tokens or any(t.word == "=" for t in tokens):
         return False
+    if turning(tokens):
+        return True
     words = {t.word for t in tokens}
     keys = {t.value for t in tokens if t.kind == "key"}
     if not p.parts and p.heading is None and "each" in keys and "round" in keys and (looped := keys & set(_LOOPS)):

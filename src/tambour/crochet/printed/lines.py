@@ -29,13 +29,28 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
     return (first.islower() or (first.isdigit() and not listed)) and not heads(p.vocabulary.read(after.tokens))
 
 
+_TURNING: Final = 12  # words of a sentence that says how rows turn
+
+
+def turning(tokens: list[Token]) -> bool:
+    """Whether words only say that every row is turned with so many chains: "ch 1 and turn after each one", "1 turning chain each row"."""
+    words = [t for t in tokens if t.kind != "mark"]
+    if not 2 < len(words) <= _TURNING or any(t.kind == "stitch" and t.value != "ch" for t in words):
+        return False
+    turned = any(t.value == "turn" or t.word in ("turn", "turning") for t in words)
+    every = any(t.value == "each" for t in words)
+    numbers = [t.value for t in words if t.kind == "number"]
+    chained = any(t.value == "ch" for t in words)
+    return turned and every and chained and len(numbers) <= 1 and all(n in (1, 2, 3) for n in numbers)
+
+
 def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     """The tokens of line ``at``, which goes on with the round before it; None when it does not."""
     row = p.rows[at]
     if not row.tokens:
         return None
     tokens = p.vocabulary.read(row.tokens)
-    if not tokens or heads(tokens):
+    if not tokens or heads(tokens) or turning(tokens):
         return None
     depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
     last, first = before[-1], tokens[0]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Sequence
 from typing import Final
 
@@ -11,7 +12,27 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.notes import Heading, plain_name
 
 _SMALL: Final = frozenset(
-    ("the", "a", "of", "for", "as", "given", "first", "1st", "one", "piece", "pattern", "instructions")
+    (
+        "the",
+        "a",
+        "of",
+        "for",
+        "as",
+        "given",
+        "first",
+        "1st",
+        "one",
+        "piece",
+        "pattern",
+        "instructions",
+        "la",
+        "le",
+        "les",
+        "der",
+        "die",
+        "het",
+        "el",
+    )
 )
 
 
@@ -77,7 +98,9 @@ def _plain(name: str) -> list[str]:
 
 
 def _one(word: str) -> str:
-    """A word as its singular, roughly."""
+    """A word as its singular, roughly, without accents, which capitals leave out: "comme la tête" of TETE."""
+    if not word.isascii():
+        word = "".join(c for c in unicodedata.normalize("NFD", word) if not unicodedata.combining(c))
     return word[:-1] if word.endswith("s") and len(word) > 3 else word
 
 

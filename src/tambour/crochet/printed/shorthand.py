@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Final
 
+from tambour.crochet.printed.folded import shut
+from tambour.crochet.printed.postposed import put_before
 from tambour.crochet.printed.spread import spread
 from tambour.crochet.printed.tokens import Row, Token
 
@@ -16,7 +18,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
-    tokens = spread(_had(tokens))
+    tokens = shut(put_before(spread(_had(tokens))))
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]

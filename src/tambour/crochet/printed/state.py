@@ -28,6 +28,7 @@ from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.runs import listed, parted
 from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.shorthand import numbered, signs
+from tambour.crochet.printed.stepped import stepped
 from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.vocabulary import vocabulary
@@ -96,6 +97,8 @@ class State:
         self.vocabulary = vocabulary(self.language.code)
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         explained(self.rows, self.vocabulary)
+        if self.language.code in ("us", "uk"):
+            self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(
             source.text.text

@@ -12,7 +12,7 @@ _POINTED: Final = {
     "de": frozenset(
         "verd zus abn zun wdh jew nächst folg rd rde m fm stb lm km hstb abm ausl überspr str reih".split()
     ),
-    "fr": frozenset("augm aug dim ens rép suiv rg tr m ms mc ml br".split()),
+    "fr": frozenset("augm aug dim ens rép suiv rg tr m ms mc ml br db b dbr".split()),
     "nl": frozenset("meerd mind herh volg mrd mnd st v t".split()),
     "es": frozenset("aum dism dis rep sig vta pto pt pb mp cad".split()),
 }
@@ -36,11 +36,13 @@ def put(text: str, rows: list[Row], code: str) -> list[Row]:
     terms = TERMS[code]
     said = (*terms.words["stitch"], *terms.words["stitches"], *terms.stitches["sc"], *terms.words["round"])
     counted = frozenset(word.lower() for word in said) | {word.lower() for word in terms.words["and"]}
+    short = _short(code)
     made = []
     for row in rows:
         tokens = row.tokens
         if tokens:
-            tokens = _headed(_elided(tokens) if code == "fr" else tokens)
+            tokens = _headed(_french(tokens) if code == "fr" else tokens)
+            tokens = _cast(_initialled(tokens, short))
             tokens = _copied(_unbegun(tokens))
             tokens = _ordinals(tokens, _ORDINAL.get(code, ""), counted)
             tokens = _shortened(text, tokens, code)
@@ -58,6 +60,113 @@ def _elided(tokens: list[Token]) -> list[Token]:
     return made
 
 
+def _short(code: str) -> frozenset[str]:
+    """The stitches of a language that are two or three letters long."""
+    terms = TERMS[code]
+    said = [word for kind in (*terms.stitches.values(), *terms.heard.kinds.values()) for word in kind]
+    return frozenset(word.lower() for word in said if 1 < len(word) <= _LETTERS and word.isalpha())
+
+
+_LETTERS: Final = 3
+
+
+def _initialled(tokens: list[Token], short: frozenset[str]) -> list[Token]:
+    """``6 m. s.``, ``f. M.``, ``dB.`` as one short word, with its last point."""
+    if not any(t.word == "." and t.glued for t in tokens):
+        return tokens
+    made: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        letters, end = "", at
+        while end < len(tokens) and tokens[end].kind == "word" and len(letters) + len(tokens[end].word) <= _LETTERS:
+            letters += tokens[end].word
+            point = end + 1 < len(tokens) and tokens[end + 1].word == "." and tokens[end + 1].glued
+            end += 1 + point
+            if not point or letters in short:
+                break
+        if letters in short and end - at > 2:
+            last = tokens[end - 1]
+            stop = last.word == "."
+            made.append(replace(tokens[at], word=letters, end=(tokens[end - 2] if stop else last).end))
+            made += [last] if stop else []
+            at = end
+        else:
+            made.append(tokens[at])
+            at += 1
+    return made
+
+
+_CAST: Final = frozenset("monter montez zet montar monta monte".split())
+_CHAINED: Final = 14  # words of a sentence that only chains
+
+
+def _cast(tokens: list[Token]) -> list[Token]:
+    """Sentences that cast a chain on, without the verb: "Zet met rood 7 l op", "Monter 7 m. l."."""
+    if not any(t.word in _CAST for t in tokens) or not any(t.kind == "number" for t in tokens):
+        return tokens
+    made: list[Token] = []
+    open_verb = begun = False
+    for k, token in enumerate(tokens):
+        if token.word in _CAST and any(t.kind == "number" for t in tokens[k : k + _CHAINED]):
+            open_verb = token.word == "zet"
+            begun = token.capital
+            continue
+        if open_verb and token.word == "op" and (k + 1 == len(tokens) or tokens[k + 1].kind == "mark"):
+            open_verb = False
+            continue
+        made.append(replace(token, capital=True) if begun else token)
+        begun = False
+    return made
+
+
+_JOINED: Final = frozenset("écouler rabattre crocheter prendre fermer tricoter".split())
+_CLOSED: Final = frozenset("écoulées écoulés rabattues fermées prises crochetées tricotées piquées rab".split())
+_TOGETHER: Final = frozenset(("ens", "ensemble"))
+
+
+def _french(tokens: list[Token]) -> list[Token]:
+    """French lines with "7e au 13e tour" as "7e à 13e tour", "2 m. s. écoulées ens." and "écouler ens. les 2 premières m." as "2 ms ens"."""
+    made: list[Token] = []
+    tokens = _elided(tokens)
+    at = 0
+    while at < len(tokens):
+        token = tokens[at]
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        numbered = made and made[-1].kind in ("number", "ordinal") and after is not None
+        if token.word == "au" and numbered and after is not None and after.kind in ("number", "ordinal"):
+            made.append(replace(token, word="à"))
+        elif token.word in _CLOSED and after is not None and after.word in _TOGETHER:
+            made += [replace(after, start=token.start)] if made and made[-1].word == "." else [after]
+            if len(made) > 1 and made[-2].word == ".":
+                del made[-2]  # the point of "2 m. s. écoulées ens."
+            at += 1
+        elif token.word in _JOINED and after is not None and after.word in _TOGETHER and (said := _drawn(tokens, at)):
+            number, end = said
+            made += [number, replace(token, word="ms", end=tokens[end - 1].end), replace(after, glued=False)]
+            at = end - 1
+        else:
+            made.append(token)
+        at += 1
+    return made
+
+
+def _drawn(tokens: list[Token], at: int) -> tuple[Token, int] | None:
+    """The number of stitches that "écouler ens. les 2 premières m. s." draws together, and where its words end."""
+    k = at + 2
+    while k < len(tokens) and (tokens[k].word in (".", "les", "deux") or tokens[k].kind == "number"):
+        number = tokens[k]
+        k += 1
+        if number.kind == "number":
+            while k < len(tokens) and tokens[k].kind == "word" and k < at + 9:
+                k += 1
+                if tokens[k - 1].word in ("m", "mailles", "ms"):
+                    while k + 1 < len(tokens) and tokens[k].word == "." and tokens[k + 1].word == "s":
+                        k += 2
+                    return number, k
+            return None
+    return None
+
+
 def _unbegun(tokens: list[Token]) -> list[Token]:
     """Short lines without a verb that only says that a piece begins in a yarn: ``mit Schwarz anfangen``, ``empezar en rosa``."""
     if len(tokens) > _LINE or not any(t.word in _BEGIN for t in tokens):
@@ -69,6 +178,7 @@ def _copied(tokens: list[Token]) -> list[Token]:
     """A heading with its copies as English says them: ``Orejas (2 iguales, crudo)`` as "Orejas (make 2, crudo)", ``BEINE, 4 Stück, …`` as "BEINE - make 4 - …"."""
     if len(tokens) > _LINE or not tokens[0].capital or tokens[0].kind != "word":
         return tokens
+    tokens = [t for k, t in enumerate(tokens) if t.word != "er" or tokens[k - 1].word not in _MAKE]  # "maak er 2"
     first = next((k for k, t in enumerate(tokens) if t.kind in ("number", "mark") and t.word not in ("&", "/")), 0)
     if tokens[first].word not in ("(", ",", "-"):
         return tokens  # a round: "V3: [1 pb, 1 aum] x 6"

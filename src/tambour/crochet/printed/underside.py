@@ -8,7 +8,7 @@ from tambour.crochet.printed.tokens import Token
 
 _LEADS: Final = frozenset(
     "turn rotate flip spin continue continuing carry carrying go going move moving work working keep now then on along down around round up the "
-    "your and to so that you can back piece it other again yarn over into in not do without turning rotating in-the-round 180 degrees clockwise".split()
+    "return returning your and to so that you can back piece it other again yarn over into in not do without turning rotating in-the-round 180 degrees clockwise".split()
 )  # fmt: skip
 _SIDES: Final = frozenset(
     "other opposite bottom underside under lower free unused remaining backside reverse second".split()
@@ -144,6 +144,7 @@ def _other(tokens: list[Token], at: int) -> int:
             "keep",
             "spin",
             "back",
+            "return",
         )
         for t in tokens[at:end]
         for w in t.word.split(" ")
