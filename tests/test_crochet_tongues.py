@@ -114,3 +114,43 @@ def test_lines_that_say_all_twice_are_read_once() -> None:
 )
 def test_signs_of_their_own(text: str) -> None:
     assert list(counts(text).values()) == [[6, 12, 18, 18, 18, 9]]
+
+
+HANDS = [
+    # a leaflet's dotted initials
+    ("Tête\n1er tour : 6 m. s. dans la boucle. = 6 m.\n2e tour : 2 m. s. dans chaque m. = 12 m.\n3e au 4e tour : 1 m. s. dans chaque m.\n"
+     "5e tour : * 2 m. s. écoulées ens. *, rép. de * à * = 6 m.", [6, 12, 12, 12, 6]),
+    ("Bras\n1er tour : 6 m.s. dans un cercle magique (6)\n2e tour : 1 m.s., 4 fois 2 m.s. dans la m. suiv., 1 m.s. (10)\n"
+     "3e tour : écouler ens. les 2 premières m., 1 m.s. dans chaque m. suiv. (9)", [6, 10, 9]),
+    # a lesson's table of steps and eyes
+    ("HEAD  white  1 sheet\nStep | Eyes | How\n1 | 6 | ring, 6 sc\n2 | 12 | +6 (inc each eye)\n3 | 18 | +6\n4~6 | 18 | no change\n7 | 12 | -6 (1sc, dec)",
+     [6, 12, 18, 18, 18, 18, 12]),
+    ("BODY\nRnd\tSts\tHow\n1\t6\tmagic ring 6\n2\t12\t+6\n3・4\t12\tno change\n5\t9\t-3", [6, 12, 12, 12, 9]),
+    # a booklet's short ways
+    ("UK terms\nLEG\n1st Round.—Make a ring, 6 d.c. into it.\n2nd Round.—2 d.c. into each d.c. (12 d.c.).\nWork 2 rounds straight in d.c.\n"
+     "Next Round.—* 1 d.c. into next d.c., dec. 1; rep. from * to end (8 d.c.).", [6, 12, 12, 12, 8]),
+    ("UK terms\nHEAD\nRound 1  Six dc into a ring. (6)\nRound 2  Two dc in each. (12)\nRound 3  One dc in every stitch.\nRound 4  Dec all round (6)\nRound 5  As 3rd.",
+     [6, 12, 12, 6, 6]),
+    # the round before once more
+    ("HAT\nR1 6 sc in magic ring [6]\nR2 inc x 6 [12]\nR3 sc round [12]\nR4 same again [12]\nR5 and the same again [12]", [6, 12, 12, 12, 12]),
+    # an end worked shut
+    ("Vleugel\nToer 1: 6 v in mr (6)\nToer 2: meerd x6 (12)\nToer 3: vouw de vleugel plat en haak hem dicht met 6 v door beide lagen (6)", [6, 12, 0]),
+    ("Arm\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nWe fill only the palm. Fold the edge in half and knit 6 sc for both sides. Cut the thread.", [6, 12, 0]),
+    # back along a chain
+    ("Strap\nChain 19, return with 18 sc.", [18]),
+    ("Tail\nChain 8. Knit 2 sc in each chain from 2nd chain (14).", [14]),
+    ("Band\nMake twenty-one chain.\nRow 1  Dc in the second chain from the hook and in every chain after. (20)", [20]),
+    # a translation's walls and loops
+    ("Cuff\n1. 6 sc in MR (6)\n2. 6 inc (12)\n3. 12 sc behind the back wall of the loop (12)\n4. 12 sc (12)", [6, 12, 12, 12]),
+    ("Collar\nDial 9 ch.\n1. from the second loop from hook 8 sc (8)\n2. 8 sc (8)", [8, 8]),
+    # what other languages put behind
+    ("Sjaal (heen en weer, om de 4 rijen wisselen)\n\nZet met rood 7 l op.\nRij 1: hst in de 3e l vanaf de naald en in elke volgende l (5)\n"
+     "Rij 2 t/m 4: 2 l (telt niet mee), keer, hst in elke hst (5)", [5, 5, 5, 5]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "made"), HANDS, ids=lambda value: value.split("\n")[0] if isinstance(value, str) else ""
+)
+def test_what_only_some_say(text: str, made: list[int]) -> None:
+    assert list(counts(text).values()) == [made]

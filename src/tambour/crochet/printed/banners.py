@@ -42,7 +42,9 @@ def _remarked(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
     words = [t for t in inner if t.kind == "word"]
     if len(words) < _REMARK or any(t.kind != "word" for t in name) or not kind_of(one(name[-1].word)):
         return [row]
-    if any(t.kind == "key" and t.value in ("make", "times") for t in vocabulary.read(inner)) or behind[:1] == [":"]:
+    if any(t.kind == "key" and t.value in ("make", "times") for t in vocabulary.read(inner)) or (
+        behind and behind[0].word == ":"
+    ):
         return [row]
     if (
         any(t.kind == "stitch" for t in vocabulary.read(name))

@@ -10,7 +10,7 @@ from tambour.crochet.printed.tokens import Token
 _PLACES: Final = ("stitch", "ch")
 _LOOPS: Final = ("back loops", "front loops", "both loops")
 _LEADS: Final = (",", ":", "(", "[", "*", ".", ";")
-_SHAPED: Final = ("inc", "dec")
+_ENDS: Final = (",", ".", ";", ":", "=", ")", "]")
 _TURN: Final = "keer"  # behind a number it says how often
 _OF: Final = frozenset(("de", "des", "du", "d", "van", "von"))
 
@@ -71,8 +71,17 @@ def put_before(tokens: list[Token]) -> list[Token]:
             made.append(token)
             at += 2  # "in elke volgende l"
             continue
-        if token.value == "times" and made and made[-1].kind == "number" and _shapes(after) and _led(made):
-            at += 1  # "4 fois 2 m. s. ens."
+        if (
+            token.value == "times"
+            and made
+            and made[-1].kind == "number"
+            and _led(made)
+            and (end := _clause(tokens, at + 1))
+        ):
+            number = made.pop()  # "4 fois 2 m. s. ens."
+            opens, closes = (Token("mark", w, token.start, token.start) for w in "()")
+            made += [opens, *put_before(tokens[at + 1 : end]), closes, number, token]
+            at = end
             continue
         if token.value == "repeat" and (moved := _counted(tokens, at)) is not None:
             made += moved
@@ -185,8 +194,10 @@ def _reached(after: Token | None) -> bool:
     return after is not None and (after.value in ("each", "next", "stitch") or after.kind == "number")
 
 
-def _shapes(after: Token | None) -> bool:
-    return after is not None and after.kind == "stitch" and str(after.value).lstrip("hdtrc").startswith(_SHAPED)
+def _clause(tokens: list[Token], at: int) -> int:
+    """Where the clause at ``at`` ends that works stitches; 0 for another."""
+    end = next((k for k in range(at, len(tokens)) if tokens[k].word in (*_ENDS, "(", "[", "*")), len(tokens))
+    return end if any(t.kind == "stitch" and t.value != "ch" for t in tokens[at : at + 2]) else 0
 
 
 def _led(made: list[Token]) -> bool:

@@ -320,8 +320,8 @@ def even_rounds(tokens: list[Token]) -> tuple[int, Span] | None:
         return None
     if not all(
         t.kind in ("number", "mark")
-        or t.word == "sc"
-        or (t.kind == "key" and t.value in ("round", "row", "even", "in", "for", "next"))
+        or t.value == "sc"
+        or (t.kind == "key" and t.value in ("round", "row", "even", "in", "for", "next", "more"))
         for t in tokens
     ):
         return None

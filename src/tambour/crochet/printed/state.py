@@ -17,6 +17,7 @@ from tambour.crochet.printed.banners import banners
 from tambour.crochet.printed.bilingual import first
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.heads import head
+from tambour.crochet.printed.idioms import plainly
 from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.legend import explained
 from tambour.crochet.printed.moved import Moved
@@ -97,7 +98,8 @@ class State:
         self.vocabulary = vocabulary(self.language.code)
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         explained(self.rows, self.vocabulary)
-        if self.language.code in ("us", "uk"):
+        if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
+            self.rows = plainly(self.rows, self.vocabulary)
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(

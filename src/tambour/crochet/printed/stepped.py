@@ -170,14 +170,14 @@ def _body(words: str, how: list[Token], at: tuple[int, int, bool], word) -> list
     """What a round of ``many`` stitches works on one of ``before``, by the words of its columns."""
     many, before, first = at
     if first and ("ring" in words or "loop" in words) and not before:
-        return word(str(many), "sc", "in", "mr")  # type: ignore[no-any-return]
+        return word(str(many), "sc", "in", "mr")
     loops = word("blo", ",") if _BACK.search(words) else word("flo", ",") if _FRONT.search(words) else []
     opened = next((k for k, t in enumerate(how) if t.word == "("), None)
     inner = how[opened + 1 : -1] if opened is not None and how[-1].word == ")" else []
     grown = _GROWN.search(words)
     if inner and grown and _STITCH.search(" ".join(t.word for t in inner)):
         each = any(t.word in ("each", "every", "all") for t in inner)
-        return loops + (inner if each else [*word("("), *inner, *word(")", "around")])  # type: ignore[no-any-return]
+        return loops + (inner if each else [*word("("), *inner, *word(")", "around")])
     plain = _GROWN.sub("", words).strip(" ()")
     if not grown and _STITCH.search(plain) and not loops:
         return how
@@ -186,11 +186,11 @@ def _body(words: str, how: list[Token], at: tuple[int, int, bool], word) -> list
         empty = {k for k in range(len(said) - 1) if said[k].word == "(" and said[k + 1].word == ")"}
         return [t for k, t in enumerate(said) if k not in empty and k - 1 not in empty]
     if not before or many == before:
-        return loops + word("sc", "around")  # type: ignore[no-any-return]
+        return loops + word("sc", "around")
     if many == 2 * before:
-        return loops + word("inc", "around")  # type: ignore[no-any-return]
+        return loops + word("inc", "around")
     way = "increasing" if many > before else "decreasing"
-    return loops + word("sc", "around", ",", way, str(abs(many - before)), "sts")  # type: ignore[no-any-return]
+    return loops + word("sc", "around", ",", way, str(abs(many - before)), "sts")
 
 
 def _worded(text: str, row: Row, eyes: bool) -> list[Row]:

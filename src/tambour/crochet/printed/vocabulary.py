@@ -38,6 +38,7 @@ _YARNS: Final = frozenset(
     )
 )
 _ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
+_AFTER: Final = frozenset("in into around to of from across along with until".split())  # behind a stitch and its point
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
 _LATER: Final = frozenset(
@@ -212,7 +213,7 @@ class Vocabulary:
             ):
                 after = tokens[end + 1]  # "8 sc. in a magic ring; 8 inc. = 16 sc.; *9 sc., 1 dec.*"
                 goes_on = (after.kind == "mark" and after.glued and after.word in ",;*:)]") or after.word == "="
-                end += goes_on or (not after.glued and not after.capital and after.word in ("in", "into", "around"))
+                end += goes_on or (not after.glued and not after.capital and after.word in _AFTER)
             at = end
         return made
 

@@ -1,0 +1,138 @@
+"""Printed patterns, idioms: English that only some write, old booklets, translations and talk, put as most others do: "dec. 1", "As 7th", "behind the back wall"."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import accumulate
+from typing import Final
+
+from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.vocabulary import Vocabulary
+
+_NTH: Final = r"\d+(?:st|nd|rd|th)|first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
+_CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
+_SC: Final = r"\w{2,6}"
+
+_IDIOMS: Final = tuple(
+    (re.compile(rf"(?<!\S){said}(?!\S)"), meant)
+    for said, meant in (
+        # booklets of the fifties
+        (r"(inc|dec|increase|decrease)(?: \.)? (?:1|one)(?= [,;.)*]| ?$)", "{1}"),
+        (r"(inc|dec|increase|decrease) (?:\. )?(?:all|right) (?:round|around)", "{1} around"),
+        (r", thus (?:completing|making|having) \d+ (?:rounds|rows|rnds)(?: in all)?", ""),
+        (r"(\d+|one|two|three|four|five|six|seven|eight|nine|ten|twelve) (?:more )?(rounds?|rnds?|rows?) straight(?: in (?:dc|sc|tr|double crochet|single crochet))?", "{1} {2} even"),
+        (r"(work|and|,|;) (\d+|one|two|three|four|five|six|seven|eight|nine|ten|twelve) (rounds|rnds|rows) more(?= [.,;]| ?$)", "{1} {2} {3} even"),
+        (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),
+        (r"counting (?:the|your) (?:turning|first|starting) ch(?:ain)?", ""),
+        (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),
+        (r"(sc|dc|htr|hdc|tr|double crochet|single crochet) (?:all )?(?:the way )?round(?= [\[(.,;!]| ?$)", "{1} around"),
+        (r"(make|work|crochet) (\w+ more) (?:the same|alike|just the same|exactly the same|in the same way|the same way|like (?:this|that|it)|to match)", "{1} {2}"),
+        (r",? ?(?:and|so) (?:then )?(?:you|we)(?:'ll| will| should)? (?:now )?(?:have|get|see) \d+ (?!sts?\b|stitch|sc\b|dc\b|single|double)[a-z]+(?: , [a-z]+)?(?= [.!;]| ?$)", ""),
+        # the same round once more
+        (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
+        # translations
+        (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:back|rear|far) (?:half )?(?:walls?|threads?|strands?|halves|half ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in blo"),
+        (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:front|near) (?:half )?(?:walls?|threads?|strands?|halves|half ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in flo"),
+        (rf"(?:dial|dials|type|recruit|collect|gain|cast on|cast|set) (\d+) ({_CHAINS})", "ch {1}"),
+        (rf"(?:from|in|into|starting from|starting in) (?:the )?({_NTH}) (?:loop|link|air loop) from (?:the )?hook", "in {1} ch from hook"),
+        (r"(?:knit|knitting|tie) (\d+|a|one|around|in)", "{1}"),
+        (r"in (?:one|1|the same) (?:loop|column)", "in same st"),
+        (r"to (?:the )?end of (?:the )?(?:row|round|circle)", "around"),
+        (r"(?:with|by) (?:a )?(?:connecting|half) (?:post|column|loop)", "with sl st"),
+    )
+)  # fmt: skip
+_AS: Final = re.compile(rf"(?<!\S)as (?:the |for |in )?({_NTH})(?= [.,;]| ?$)")
+_ROWS: Final = frozenset(("row", "rows"))
+
+
+_TENS: Final = {w: 10 * n for n, w in enumerate("twenty thirty forty fifty sixty seventy eighty ninety".split(), 2)}
+_TEENS: Final = {
+    w: n for n, w in enumerate("thirteen fourteen fifteen sixteen seventeen eighteen nineteen".split(), 13)
+}
+_ONES: Final = {w: n for n, w in enumerate("one two three four five six seven eight nine".split(), 1)}
+_SPECIAL: Final = re.compile(r"^to (?:work|make) (?:1|one|a|an|the) (\w+) [.:-]+(.*)$")
+_DROPPED: Final = ("slip loop", "drop", "off hook", "off the hook", "remove hook", "take hook")
+
+
+def plainly(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
+    """``rows`` with such words as most others have them."""
+    for row in rows[:_LOOKED_AT]:
+        found = (
+            _SPECIAL.match(" ".join(t.word for t in row.tokens)) if row.tokens and row.tokens[0].word == "to" else None
+        )
+        if found is not None and not vocabulary.read([t for t in row.tokens if t.word == found[1]][:1])[0].value:
+            vocabulary.define(found[1], "popcorn" if any(w in found[2] for w in _DROPPED) else "bobble")
+            vocabulary.define(f"{found[1]}s", "popcorn" if any(w in found[2] for w in _DROPPED) else "bobble")
+    return [row if not row.tokens else _row(row) for row in rows]
+
+
+_LOOKED_AT: Final = 100  # lines
+
+
+def _numbered(tokens: list[Token]) -> list[Token]:
+    """``sixty-one``, ``twenty four`` and ``sixteen`` as numbers."""
+    if not any(t.word in _TENS or t.word in _TEENS for t in tokens):
+        return tokens
+    made: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        token, end = tokens[at], at + 1
+        value = _TEENS.get(token.word) or _TENS.get(token.word) or 0
+        if token.word in _TENS:
+            end += end < len(tokens) and tokens[end].word == "-" and tokens[end].glued
+            if end < len(tokens) and tokens[end].word in _ONES:
+                value, end = value + _ONES[tokens[end].word], end + 1
+            else:
+                end = at + 1
+        number = Token("number", str(value), token.start, tokens[end - 1].end, value, token.glued, token.capital)
+        made.append(number if value else token)
+        at = end
+    return made
+
+
+def _row(row: Row) -> Row:
+    tokens = row.tokens
+    flat = any(t.word in _ROWS for t in tokens[:6])
+    tokens = _numbered(tokens)
+    tokens = _put(tokens, _AS, "as {1} row" if flat else "as {1} round")
+    for said, meant in _IDIOMS:
+        tokens = _put(tokens, said, meant)
+    return row if tokens is row.tokens else replace(row, tokens=tokens)
+
+
+def _put(tokens: list[Token], said: re.Pattern[str], meant: str) -> list[Token]:
+    """``tokens`` with what ``said`` finds in their words as ``meant``, whose numbers in braces are its groups."""
+    words = " ".join(t.word for t in tokens)
+    found = list(said.finditer(words))
+    if not found:
+        return tokens
+    begins = [0, *accumulate(len(t.word) + 1 for t in tokens)]
+    made: list[Token] = []
+    done = 0
+    for one in found:
+        first, last = _between(begins, one.start(), one.end())
+        if last <= first:
+            continue
+        made += tokens[done:first]
+        for word in meant.split():
+            if word[0] == "{":
+                a, b = _between(begins, *one.span(int(word[1:-1])))
+                made += tokens[a:b]
+            else:
+                made.append(_word(word, tokens[first], tokens[last - 1]))
+        done = last
+    return [*made, *tokens[done:]]
+
+
+def _between(begins: list[int], start: int, end: int) -> tuple[int, int]:
+    """The tokens that stand from one character of the words to another."""
+    first = next((k for k, at in enumerate(begins) if at >= start), len(begins) - 1)
+    last = next((k for k, at in enumerate(begins) if at >= end), len(begins) - 1)
+    return first, last
+
+
+def _word(word: str, first: Token, last: Token) -> Token:
+    number = word.isdigit()
+    kind = "number" if number else "word" if word[0].isalpha() else "mark"
+    return Token(kind, word, first.start, last.end, int(word) if number else None, False, first.capital)
