@@ -323,3 +323,51 @@ def test_a_cactus_stands_upright_in_its_pot_with_the_soil_inside() -> None:
     eyes = [r.spot.round for r in faces if isinstance(r, Eye)]
     mouth = [s.round for r in faces if isinstance(r, Embroidery) for s in r.spots]
     assert min(mouth) > max(eyes)  # worked from its top: further on is below
+
+
+def test_patches_about_the_eyes_are_where_the_eyes_are_which_are_in_their_middles():
+    text = (
+        BALL.format("BODY")
+        + BALL.format("HEAD")
+        + "EYE PATCHES (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nFasten off.\n\n"
+        + "Finishing\nSew head to body. Attach 8 mm safety eyes between rounds 6 and 7 of the head, 6 stitches apart. "
+        + "Position the second eye patch on the opposite side of the head. Sew the eye patches to the head.\n"
+    )
+    pattern = read_printed(Text(f"Sloth\n\n{text}", "sloth.txt"))
+    patches = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("EYE PATCHES")]
+    eyes = [r for r in pattern.finish if isinstance(r, Eye)]
+    assert [r.spot.round for r in patches] == [6.5, 6.5] and patches[0].spot.stitch != patches[1].spot.stitch
+    assert {e.spot.part for e in eyes} == {r.part for r in patches}
+
+
+@pytest.mark.parametrize(
+    ("said", "sits"),
+    [
+        ("Sew front legs to upper front of body. Sew back legs to lower front of body.", True),
+        ("Attach the back legs at the lower front of the body and the front legs at its upper front.", True),
+        ("Sew front legs to the body near the head. Sew back legs at the other end of the body.", False),
+    ],
+)
+def test_what_has_all_its_legs_in_front_sits(said, sits):
+    limbs = LIMB.format("FRONT LEGS (make 2)") + LIMB.format("BACK LEGS (make 2)")
+    text = f"Puppy\n\n{BALL.format('HEAD')}{BALL.format('BODY')}{limbs}Finishing\nSew head to body. {said}\n"
+    pattern = read_printed(Text(text, "puppy.txt"))
+    body = next(p for p in pattern.parts if p.name == "BODY")
+    assert (body.up != "side") == sits
+
+
+def test_a_body_worked_from_its_open_neck_has_its_head_there():
+    text = (
+        "Zebra\n\nBODY\nCh 14, join with sl st to form a ring.\nRnds 1-6: sc around (14)\nRnd 7: dec x 7 (7)\nClose. Stuff.\n\n"
+        + BALL.format("HEAD")
+        + "Sew head to body at neck opening.\n"
+    )
+    pattern = read_printed(Text(text, "zebra.txt"))
+    assert next(p for p in pattern.parts if p.name == "BODY").up == "start"
+
+
+def test_an_ear_in_each_of_two_colours_is_a_pair_and_no_thing_of_two_halves():
+    ear = "EARS (Make 1 with A and 1 with B)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnds 4-6: sc around (18)\nDo not stuff. Fold sides tog and sew closed.\n\n"
+    text = f"Bear\n\nMATERIALS\nContrast A Grey\nContrast B Blue\n\n{BALL.format('BODY')}{BALL.format('HEAD')}{ear}Stuff. Sew the ears to the head between rounds 3 and 8. Sew head to body.\n"
+    pattern = read_printed(Text(text, "bear.txt"))
+    assert sum("EARS" in r.part for r in pattern.finish if isinstance(r, Placed)) == 2

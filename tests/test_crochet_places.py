@@ -11,7 +11,7 @@ from tambour.crochet.finish.ground import Ground
 from tambour.crochet.finish.joining import crowded, prepare
 from tambour.crochet.finish.motif import threads
 from tambour.crochet.finish.placing import Frames
-from tambour.crochet.finish.sewing import end_of
+from tambour.crochet.finish.sewing import end_of, held
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
@@ -449,12 +449,27 @@ def test_a_cap_that_narrows_is_sewn_by_its_brim_and_stands_on_an_open_beginning(
         ("EARS (make 1)", 1, False),
         ("EARS (Make 1 with A and 1 with B)", 2, False),
         ("EAR", 1, False),
+        ("EARS (make 1 on each side of the head)", 2, False),
     ],
 )
 def test_ears_of_which_nothing_is_said_are_two_and_that_is_told(heading: str, copies: int, guessed: bool) -> None:
     pattern = read_printed(Text(f"Toy\n\nBODY\n{CLOSED}\n{heading}\n{TUBE}", "toy.txt"))
     assert pattern.parts[-1].copies == copies
     assert any("two of" in w.message for w in pattern.warnings) == guessed
+
+
+@pytest.mark.parametrize(
+    ("said", "copies"),
+    [
+        ("Sew the ears to the head.", 2),
+        ("Attach both ears at round 4.", 2),
+        ("Sew the ear to the head.", 1),
+    ],
+)
+def test_an_ear_written_once_is_two_where_the_text_speaks_of_two(said: str, copies: int) -> None:
+    pattern = read_printed(Text(f"Toy\n\nBODY\n{CLOSED}\nEAR\n{TUBE}\n{said}\n", "toy.txt"))
+    assert pattern.parts[-1].copies == copies
+    assert any("two of" in w.message for w in pattern.warnings) == (copies == 2)
 
 
 @pytest.mark.parametrize(
@@ -705,6 +720,23 @@ def test_a_leaf_is_sewn_by_its_end() -> None:
     out = x[rest] - x[sewn].mean(0)
     way = out.mean(0) / np.sqrt((out.mean(0) ** 2).sum())
     assert (out @ way > -0.5).all()  # all else is on one side of the seam
+
+
+@pytest.mark.parametrize("chain", [9, 10, 12])
+def test_a_leaf_is_held_along_its_chain_wherever_its_round_begins(chain: int) -> None:
+    """Else of two alike one stood and the other lay."""
+    leaf = (
+        f"Ch {chain}.\nRow 1: sc in 2nd ch from hook, sc in next {chain - 3} ch, 4 sc in last ch. "
+        f"Working in opposite side of foundation ch, sc in next {chain - 2} ch.\nFasten off.\n"
+    )
+    pattern = toy("Sew the head to the body. Sew the ears to the top of the head.", EARS=leaf)
+    built = build(pattern)
+    spots, record = Spots(built), placed(pattern, "EARS")
+    part = built.graph.parts[spots.parts[record.part]]
+    own = np.arange(part.start, part.end)
+    long = np.ptp(spots.layout[own], axis=0)
+    way = held(spots.layout, own, end_of(built, spots, record)).axis
+    assert int(np.argmax(np.abs(way))) == int(np.argmax(long)) and np.abs(way).max() > 0.95
 
 
 @pytest.mark.parametrize("rounds", [FAN, TIGHT_FAN])

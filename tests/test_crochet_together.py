@@ -7,6 +7,7 @@ from tambour.core.errors import Text
 from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.places.halves import halves, joined
 from tambour.crochet.printed.pattern import read_printed
 
@@ -152,3 +153,43 @@ def test_a_piece_that_is_folded_is_not_joined_to_its_other_copy():
     text = f"Legs (make 2)\n{HALF}Fold in half. Sl st around through both thicknesses along edge. Stuff.\n"
     pattern = read_printed(Text(text, "legs.txt"))
     assert not any("joins these two" in p.message for p in build(pattern).warnings)
+
+
+DIVIDED = [
+    """Right leg: Rnd 8: sc in first 3 sc, ch 2, skip next 12 sc, sc in last 9 sc. (14)
+Rnds 9-12: sc around (14)
+Rnd 13: dec x 7 (7). Fasten off.
+Left leg: Join yarn with sl st to first skipped sc of Rnd 7.
+Rnd 8: ch 1, sc in same sc, sc in next 11 sc, sc in 2 ch (14)
+Rnds 9-12: sc around (14)
+Rnd 13: dec x 7 (7). Fasten off.""",
+    """Divide for legs: Rnd 8: sc in next 12 sts, skip the next 12 sts. You work on the first leg now. (12)
+Rnds 9-12: sc around (12)
+Second leg
+Join yarn in the first skipped stitch.
+Rnd 8: sc in the 12 skipped sts (12)
+Rnds 9-12: sc around (12)""",
+    """First leg
+Rnd 8: 12 sc, leave the remaining 12 sts unworked (12)
+Rnds 9-12: sc around (12)
+Second leg
+Rnd 8: Attach yarn to the next unworked stitch of round 7, 12 sc (12)
+Rnds 9-12: sc around (12)""",
+]
+
+
+@pytest.mark.parametrize("legs", DIVIDED)
+def test_the_second_leg_goes_on_from_the_stitches_that_the_first_left(legs):
+    body = "Rnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: (2 sc, inc) x 6 (24)\nRnds 5-7: sc around (24)\n"
+    text = f"Bunny\n\nBody\nWorked from the top down.\n{body}{legs}\nStuff.\nAttach 8 mm safety eyes between rounds 3 and 4.\n"
+    pattern = read_printed(Text(text, "bunny.txt"))
+    built = pattern.built
+    spots = Spots(built)
+    of = built.graph.part
+    across = [(a, b) for a, b in built.sewn.tolist() if of[a] != of[b]]
+    shared = spots.stitches(spots.round_at(0, 7))
+    assert len(across) == 12 and {b for _, b in across} <= set(shared.tolist())
+    # One leg hangs at the left of the body and one at its right, and pictures have both.
+    way = spots.layout[[b for _, b in across]].mean(0) - spots.layout[shared].mean(0)
+    assert abs(way[0]) > 3.0 * abs(way[2])
+    assert pattern.parts[0].up == "start"

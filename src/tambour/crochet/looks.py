@@ -18,7 +18,7 @@ LEAST: Final = 0.1
 BESIDE: Final = 0.12
 """A thing beside the toy is shown that has so much of its stitches."""
 _REST: Final = frozenset(
-    "edging piece side back front top bottom half section gusset lining border step abbreviation".split()
+    "edging piece side back front top bottom half section gusset lining border step abbreviation strip strand".split()
 )
 """Words of parts that are pieces of something, and no thing for themselves."""
 DOUBT: Final = (206, 42, 38)
@@ -113,12 +113,17 @@ def _without_rests(piece: Plush, filled: list[int]) -> list[int] | None:
     parts, sections = piece.built.graph.parts, piece.built.pattern.parts
     made = {k: Made(sections[piece.built.parts[k].section].name, 1) for k in filled}
     size = {k: parts[k].end - parts[k].start for k in filled}
+    of = piece.built.graph.part
+    sewn = {int(of[n]) for a, b in piece.built.sewn.tolist() if of[a] != of[b] for n in (a, b)}
     kept = [
         k
         for k in filled
-        if not (_REST & set(made[k].words) and size[k] < max(size.values()))
-        and not re.fullmatch(r"(?:part|piece)_\w+", made[k].name)
-        and size[k] > BESIDE * max(size.values())
+        if k in sewn
+        or (
+            not (_REST & set(made[k].words) and size[k] < max(size.values()))
+            and not re.fullmatch(r"(?:part|piece)_\w+", made[k].name)
+            and size[k] > BESIDE * max(size.values())
+        )
     ]
     return kept if 0 < len(kept) < len(filled) else None
 

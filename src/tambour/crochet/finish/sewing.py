@@ -60,7 +60,8 @@ class End:
     """The stitches by which a part is sewn.
 
     nodes : (M,) in the order of work; ring : they run round; pinched : pairs (K, 2) of them that are drawn together
-    laid : it is the edge of a flat piece that lies on the fabric; disc : of one that is a circle
+    laid : it is the edge of a flat piece that lies on the fabric; disc : of one that is a circle; leaf : of one worked along both
+    sides of a chain, held by the chain and not by where its stitches happen to begin
     """
 
     nodes: Array
@@ -68,6 +69,7 @@ class End:
     pinched: Array
     laid: bool = False
     disc: bool = False
+    leaf: bool = False
 
 
 def end_of(built: Built, spots: Spots, placed: Placed) -> End:
@@ -97,7 +99,7 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
             # A leaf worked along both sides of a chain is sewn by the end where its round begins and ends.
             nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
             some = max(2, len(nodes) // 7)
-            return End(np.concatenate([nodes[-some:], nodes[:some]]), False, none)
+            return End(np.concatenate([nodes[-some:], nodes[:some]]), False, none, leaf=True)
         if not len(nodes):
             nodes = spots.stitches(spots.last(part))
     nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
@@ -195,6 +197,8 @@ def held(x: Array, own: Array, end: End) -> Held:
         else:
             line = loop[-1] - loop[0]
         front = _unit(line)
+        if end.leaf and length(across := line - dot(line, _unit(away)) * _unit(away)) > 1e-6:
+            return Held(middle, _unit(away), _unit(across))
         if abs(dot(front, away)) > ALONG * length(
             away
         ):  # the edge of a slit, along the part: held by its end all the same

@@ -24,8 +24,8 @@ NEARLY = 0.85
 """A square whose sides grow by this share of its rows' height lies flat."""
 WAVE = 0.1
 """How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
-WITHIN = 0.25
-"""Rings of two branches whose middles are so near, in stitches, are about each other, and not side by side."""
+WITHIN, AMID = 0.25, 0.3
+"""Rings of two branches whose middles are so near, in stitches, or in radii of the smaller, are about each other, and not side by side."""
 CLEAR = 1.0
 """Stitches that rings of different branches of one part keep between them."""
 _KEPT, _LARGE = 64, 4000
@@ -256,7 +256,7 @@ class Forks:
                         continue
                     off = (place - at) * [1.0, 0.0, 1.0]
                     far = float(np.sqrt((off**2).sum()))
-                    if far < WITHIN:
+                    if far < max(WITHIN, AMID * min(size, radius)):
                         continue  # a frill round what goes on: both were worked into the whole round below
                     if far - size - radius - CLEAR < least:
                         least = far - size - radius - CLEAR

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from tambour.crochet.graph.spots import Spots
 
 
+LEAST, MOST = 0.25, 0.75
+"""A limb has such a share of a round that is shared out between two."""
+
+
 def sided(spots: Spots, x: Array) -> Array:
     """First positions ``x`` (N, 3) with such bodies turned, or, above the legs that they are worked on from, twisted."""
     pairs: dict[tuple[str, float], list[Placed]] = {}
@@ -24,6 +28,12 @@ def sided(spots: Spots, x: Array) -> Array:
         if isinstance(record, Placed) and record.through and record.spot.part in spots.parts:
             pairs.setdefault((record.spot.part, record.spot.round), []).append(record)
     done: set[int] = set()
+    for part, shared, nodes in _limbs(spots):
+        done.add(part)
+        way = x[nodes].mean(0) - x[spots.stitches(shared)].mean(0)
+        if math.hypot(way[0], way[2]) >= 0.5:
+            angle = math.atan2(way[2], way[0])
+            x = _turned(spots, x, part, shared, angle - math.pi * round(angle / math.pi))
     for (name, number), pair in pairs.items():
         part = spots.parts[name]
         k = spots.round_at(part, int(number))
@@ -39,6 +49,23 @@ def sided(spots: Spots, x: Array) -> Array:
         angle -= math.pi * round(angle / math.pi)  # the nearer of both ways round: left and right are told by nothing
         x = _turned(spots, x, part, k, angle)
     return x
+
+
+def _limbs(spots: Spots) -> list[tuple[int, int, Array]]:
+    """Parts of which a round is shared out between two limbs, one worked on from the rest of it, the other sewn to some of its
+    stitches: (part, round, those stitches)."""
+    built = spots.built
+    of, found = built.graph.part, []
+    for k, r in enumerate(built.rounds):
+        later = any(other.part == r.part and other.first > r.last for other in built.rounds)
+        nodes = spots.stitches(k) if later and not r.aside else np.zeros(0, int)
+        pairs = (
+            built.sewn[np.isin(built.sewn, nodes).any(1)] if len(nodes) and len(built.sewn) else np.zeros((0, 2), int)
+        )
+        mine = np.intersect1d(pairs[of[pairs[:, 0]] != of[pairs[:, 1]]], nodes)
+        if LEAST <= len(mine) / max(len(nodes), 1) <= MOST:
+            found.append((r.part, k, mine))
+    return found
 
 
 def _turned(spots: Spots, x: Array, part: int, k: int, angle: float) -> Array:

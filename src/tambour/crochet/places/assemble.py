@@ -26,6 +26,7 @@ from tambour.crochet.places.wear import clothes
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
 _TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
+_OTHER_SIDE: Final = re.compile(r"\b(?:opposite|other) side\b")
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
     "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
@@ -163,6 +164,7 @@ class Assembly(Hosts):
         for p in trunk:
             self.out += [(p.order, record) for record in put.part(p)]
         # Eyes whose rounds are known come before a muzzle, which is below them.
+        self._patched(waiting)
         self._eyes(put, [f for f in self._seeing(usual) if f.where.rounds is not None])
         for turn in ("plain", "beside"):
             if turn == "beside":
@@ -354,6 +356,19 @@ class Assembly(Hosts):
             part = on
         return found
 
+    def _patched(self, waiting: list[Put]) -> None:
+        """Patches about the eyes, of which nothing else is said, go where the eyes do, and the eyes into their middles."""
+        for p in waiting:
+            if p.kind != "eye" or len(p.copies) != 2 or p.where.rounds is not None or p.where.beside:
+                continue
+            eyes = [f for f in self._seeing(False) if f.where.rounds is not None and f.host in (None, p.host)]
+            if len(eyes) == 1:
+                p.where = eyes[0].where
+                self.heard.features.append(
+                    replace(eyes[0], where=replace(p.where, rounds=None, stitch=None, beside=()))
+                )
+                self.heard.features.remove(eyes[0])
+
     def _eyes(self, put: Facer, features: list[Feature]) -> None:
         for feature in features:
             self.out += [(feature.order, record) for record in put.eyes(feature)]
@@ -373,6 +388,8 @@ def _vagueness(put: Put) -> int:
     """How little a sentence says of a place: "leaving a tail to sew it to the body" least of all."""
     if put.where.rounds:
         return 0
+    if len(put.copies) == 1 < put.copies[0][0].copies and not put.where.beside and _OTHER_SIDE.search(put.where.text):
+        return 3  # the mirror image of what is said of the first
     return 3 if _TAILED.search(put.where.text) else 1 if put.where.says else 2
 
 

@@ -29,6 +29,10 @@ _INSIDE: Final = 2.0
 """How many rounds eyes stay away from where another colour begins."""
 _CLEAR: Final = 0.6
 """Eyes stay so many stitches clear of a snout, and are moved up by as many at a time."""
+_AHEAD: Final = -0.7
+"""A head that is worked from its nose runs back from it by so much, as a cosine."""
+_UNDER_NOSE: Final = 0.4
+"""How far below its middle the mouth of such a head is, in halves of its height."""
 _NOSE: Final = 1.2
 """How far below the eyes' lower edge a nose is, in stitches."""
 _SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
@@ -350,6 +354,9 @@ class Facer(Putter):
         beside = self._beside(f.where, host, way, 0.4 * wide)
         if beside is not None:
             return beside
+        if name.split()[-1] in ("mouth", "smile") and host.axis[2] < _AHEAD:
+            middle, half = host.box  # its eyes are above and beside its nose, which is in the middle
+            return host.ahead(float(middle[0]), float(middle[1] - _UNDER_NOSE * half[1]))
         for thing, down in (("nose", 1.6), ("muzzle", 0.0), ("eye", 2.4)):
             there = self.known.get(thing)
             if (

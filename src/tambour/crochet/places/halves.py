@@ -61,6 +61,7 @@ def halves(built: Built) -> list[tuple[int, int]]:
 
 def _held(built: Built, spots: Spots, single: list[Made]) -> list[tuple[int, int]]:
     """Pairs of parts made once whose names differ in what only tells two sides apart: "Side A" and "Side B", "Half 1" and "Half 2"."""
+    single = [m for m in single if m.kind not in _PAIRS]  # an ear in each of two colours is a pair of ears
     every = [spots.parts[f"{m.name}.1"] for m in single]
     names = [
         " ".join(w for w in re.findall(r"[a-z]+", m.name.lower()) if len(w) > 1 and w not in _SIDES) for m in single
@@ -91,6 +92,8 @@ def _same(built: Built, spots: Spots, one: int, other: int) -> bool:
     return not spots.in_rows[other] and theirs[: len(mine)] == mine and len(theirs) <= len(mine) + 1
 
 
+_PAIRS: Final = frozenset(("ear", "arm", "leg", "foot", "wing"))
+"""Kinds of parts of which a toy has two."""
 _LARGE: Final = frozenset(("body", "head", "", "bow"))
 """Kinds of parts that are made of two halves."""
 

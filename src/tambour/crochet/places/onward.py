@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.places.names import Made
+from tambour.crochet.places.names import SIDED, Made
 
 _EDGING: Final = re.compile(r"\s*edging$", re.IGNORECASE)
 """What the reader calls rounds that begin along the edge of a part."""
@@ -22,8 +22,50 @@ _LEGS: Final = re.compile(
 )
 _LEAST: Final = 8
 """An edge of so many stitches or more is gone on from."""
+_LEFT, _SHARE = 5, 0.25
+"""So many stitches of a round, or more, and such a share of it, are left over for a limb."""
 _OFF: Final = 0.34
 """By what share of it the stitches of an edge may differ from those that go on: chains between two legs, an increase at once."""
+
+
+def left_over(built: Built, spots: Spots, part: int) -> list[Array]:
+    """The longest run of stitches in each round of a part that nothing is worked into while others of that round are: left for a limb
+    that is worked on later, as the second of two legs. In the order of work."""
+    graph = built.graph
+    worked = np.zeros(len(graph), bool)
+    worked[graph.anchors] = True
+    found = []
+    for k in [k for k, r in enumerate(built.rounds) if r.part == part and not r.aside][:-1]:
+        nodes = spots.stitches(k)
+        free = ~worked[nodes]
+        if free.all() or free.sum() < _LEFT:
+            continue
+        steps = np.flatnonzero(np.diff(np.concatenate([[False], free, [False]]).astype(int)))
+        begin, end = max(zip(steps[::2], steps[1::2]), key=lambda run: int(run[1] - run[0]))
+        if end - begin >= max(_LEFT, _SHARE * len(nodes)):
+            found.append(nodes[begin:end])
+    return found
+
+
+def limbs(built: Built, spots: Spots) -> list[tuple[int, Array]]:
+    """Parts that are worked on from stitches that a round of another left over: (part, those stitches)."""
+    found: list[tuple[int, Array]] = []
+    taken: set[int] = set()
+    for k, fact in enumerate(built.parts):
+        name = built.pattern.parts[fact.section].name
+        made = Made(name, 1)
+        goes_on = _EDGING.search(name) is not None or (made.kind in ("leg", "arm") and SIDED & set(made.words))
+        if spots.in_rows[k] or fact.copy > 1 or not goes_on or len(start := spots.begun(k)) < _LEFT:
+            continue
+        for j in [j for j in range(k - 1, -1, -1) if not spots.in_rows[j] and built.parts[j].copy == 1]:
+            gaps = [
+                gap for gap in left_over(built, spots, j) if _near(len(start), len(gap)) and int(gap[0]) not in taken
+            ]
+            if gaps:
+                found.append((k, gaps[-1]))
+                taken.add(int(gaps[-1][0]))
+                break
+    return found
 
 
 def onward(built: Built) -> list[tuple[int, tuple[int, ...]]]:
@@ -69,11 +111,16 @@ def _near(one: int, other: int) -> bool:
 
 def worked_on(built: Built) -> Built:
     """``built`` with what goes on from the edges of others joined to them, stitch by stitch."""
-    found = onward(built)
-    if not found:
-        return built
     spots, sewn = Spots(built), [(int(a), int(b)) for a, b in built.sewn.tolist()]
+    later = limbs(built, spots)
+    found = [pair for pair in onward(built) if pair[0] not in {k for k, _ in later}]
+    if not found and not later:
+        return built
     x = spots.layout
+    for part, gap in later:
+        ring = np.sort(spots.begun(part))
+        at = np.minimum(np.arange(len(gap)), len(ring) - 1)
+        sewn += [(max(int(a), int(b)), min(int(a), int(b))) for a, b in zip(gap, ring[at])]
     for part, before in found:
         start = spots.begun(part)
         for begin, edge in zip(_shares(x, start, len(before)), (spots.rim(j) for j in before)):

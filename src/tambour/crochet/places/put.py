@@ -106,9 +106,10 @@ class Putter(Jointer):
             wanted |= {"tail"}
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
-        if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):
+        two = made.copies == 2 and made not in work.layered  # two layers are one thing
+        if len(put.copies) == 1 and (two or {"left", "right"} & set(made.words)):
             pair = usual(kind, 2, lying=lies, long=self._long(put.copies[0]), words=wanted)
-            right = "right" in made.words or "right" in put.where.words or (made.copies == 2 and put.copies[0][1] == 2)
+            right = "right" in made.words or "right" in put.where.words or (two and put.copies[0][1] == 2)
             if put.where.through and put.where.rounds is not None:  # on the side that its stitches are on
                 at = Spot(work.host(onto).name, put.where.rounds[0], put.where.stitch)
                 x = float(self.stand.frame(at).points[0][0] - work.host(onto).box[0][0])

@@ -61,6 +61,7 @@ class Toy:
     built : the pattern worked; stitch : a stitch's width, mm; eye : the size of eyes that the materials name, mm
     names : of its parts, where the pattern makes several toys
     parts : those with stitches; main : what everything else is put on; up : which way parts stand as the text says
+    layered : parts that are their own second layers, and how many of each stay
     out : records so far, each with the order of its sentence; made : what comes of it
     """
 
@@ -75,6 +76,7 @@ class Toy:
         self.main = self.parts[0] if self.parts else Made("", 1)
         self.up = {p.name: p.up for p in built.pattern.parts}
         self.out: list[tuple[int, Finish]] = []
+        self.layered: dict[Made, int] = {}  # parts of which two make one, and how many that are
         self.made = Assembled()
         self.dog = False  # ears of dogs hang
         self.text = built.pattern.text.text.lower()

@@ -9,6 +9,7 @@ import numpy as np
 
 from tambour.crochet.places.hear import Feature, Heard
 from tambour.crochet.places.names import Made
+from tambour.crochet.places.onward import limbs
 from tambour.crochet.places.stand import numbers_of
 from tambour.crochet.places.toy import Toy
 
@@ -25,6 +26,8 @@ _SHAPED: Final = re.compile(
     r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body|tail)(?: shap\w+)?\s*:\s*(?:\d|rnd|round|next)"
 )
 """Where in one piece another end of the toy begins."""
+_OPEN: Final = 8
+"""An end of so many stitches is an opening that a head is sewn to."""
 _RIM_OFF: Final = 3
 """Rims that differ by so many stitches or fewer fit on each other."""
 _MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
@@ -119,6 +122,10 @@ class Upright(Toy):
         )
         if self.ahead(main):
             return "side"
+        if any(self.built.graph.part[gap[0]] == part for _, gap in limbs(self.built, self.spots)):
+            return "start"  # its last rounds are shared out between two legs
+        if any(p.kind == "leg" and "front" in p.where.words and p.where.words & {"upper", "lower"} for p in mine):
+            legs = 2  # it sits: its front legs are above its hind legs, and all are in front
         if main.vessel and self.open(f"{main.name}.1") and not self.spots.in_rows[part]:
             return "end" if len(self.spots.rim(part)) else "start"
         counts = [r.count for r in self.built.rounds if r.part == part and not r.aside]
@@ -135,7 +142,9 @@ class Upright(Toy):
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
-            return "end"
+            # What begins at an open neck and is closed below was worked downwards.
+            down = len(self.spots.begun(part)) >= _OPEN and not len(self.spots.rim(part))
+            return "start" if down and not self.spots.in_rows[part] else "end"
         if (below := self._mouth_below(main)) is not None:
             return "end" if below else "start"
         if main.kind == "hat":

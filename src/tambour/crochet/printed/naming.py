@@ -119,9 +119,12 @@ def nameless_is(names: list[str], sentences: list[str]) -> tuple[str, int]:
                 if kind_of(_one(limb[1])) not in kinds:
                     both = re.search(r"\bfront\b.*\b(?:back|hind|rear)\b", " ".join(sentences).lower(), re.DOTALL)
                     return limb[1].capitalize(), 4 if limb[1] == "legs" and both else 2
+        if "head" not in kinds and _HEAD_SEWN.search(" ".join(sentences).lower()):
+            return "Head", 1
     return ("piece" if "body" in {name.lower() for name in names} else "Body"), 1
 
 
+_HEAD_SEWN: Final = re.compile(r"\b(?:sew|attach|join)\s+(?:the\s+)?head\s+(?:on)?to\b|\bto (?:the )?head\b")
 _FAR: Final = 900
 """Characters above a part's first round in which its heading may stand."""
 _TITLE: Final = re.compile(
@@ -171,6 +174,9 @@ def heading_above(text: str, low: int, high: int) -> Heading | None:
     return None
 
 
+_EACH_SIDE: Final = re.compile(
+    r"[\s:]*[(\[]?\s*make\s+(?:1|one)\s+(?:on|for|at)\s+(?:each|either)\s+side", re.IGNORECASE
+)
 _TWO: Final = frozenset(("ear", "arm", "leg", "eye", "wing", "foot", "fin", "horn", "cheek"))
 """Kinds of parts of which a toy has two."""
 
@@ -180,6 +186,8 @@ def made_of(text: str, heading: Heading) -> tuple[int, bool]:
     are "EARS" of which nothing is said."""
     end = heading.span.end
     bracket = re.match(r"[\s:]*[(\[]\s*make\b([^)\]\n,;.]*)", text[end : end + 120], re.IGNORECASE)
+    if heading.copies <= 1 and _EACH_SIDE.match(text, end):
+        return 2, False
     if heading.copies > 1 or heading.copies_span is not None or bracket:
         return max(heading.copies, _made(re.split(r"\bfor\b", bracket[1])[0]) if bracket else 1), False
     last = (re.findall(r"[^\W\d_]+", heading.name.lower()) or [""])[-1]

@@ -14,6 +14,7 @@ from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
 from tambour.crochet.places.onward import worked_on
 from tambour.crochet.places.tubes import closed
+from tambour.crochet.printed import pairs
 from tambour.crochet.printed.accounted import beside, headed
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.colors import dyeing
@@ -87,6 +88,9 @@ class Printed(Headed):
             nameless = self.parts[0]  # sentences want a name
             nameless.name, copies = nameless_is([draft.name for draft in self.parts[1:]], words)
             nameless.copies = max(nameless.copies, copies)
+        for draft in pairs.alone(self.parts, source.text.text):
+            draft.copies = 2
+            source.doubt(f"{GUESSED}: two of {draft.name} are made", "say how many: (make 2), or (make 1)", draft.span)
         for draft in self.parts:
             draft.lines = beside(self, draft)
             headed(self, draft)

@@ -135,7 +135,7 @@ def arrange(graph: StitchGraph, x: Array, held: Array | None = None) -> Array:
                 break
             seam = _seam(sewn, owner, b, placed)
             base = np.flatnonzero(np.isin(owner, np.unique(owner[seam[:, 1]])))
-            x[bodies[b]], turn = _attach(x, outward, bodies[b], seam, base)
+            x[bodies[b]], turn = _attach(x, outward, bodies[b], seam, base, _onwards(graph, x, seam[:, 1]))
             outward[bodies[b]] = turned(outward[bodies[b]], turn)
             placed.append(b)
         nodes = np.flatnonzero(piece == k)
@@ -152,8 +152,21 @@ def _seam(sewn: Array, owner: Array, b: int, placed: list[int]) -> Array:
     return np.concatenate([forward, backward[:, ::-1]])
 
 
-def _attach(x: Array, outward: Array, nodes: Array, seam: Array, base: Array) -> tuple[Array, Array]:
-    """The part ``nodes`` brought to its seam with the nodes ``base``: its positions and its rotation."""
+def _onwards(graph: StitchGraph, x: Array, edge: Array) -> Array | None:
+    """The way (3,) in which fabric goes on from stitches that nothing is worked into; None where something is."""
+    if np.isin(edge, graph.anchors).mean() > 0.5:
+        return None
+    below = np.concatenate([graph.anchors[graph.anchor_offsets[n] : graph.anchor_offsets[n + 1]] for n in edge])
+    return np.asarray(x[edge].mean(0) - x[below].mean(0)) if len(below) else None
+
+
+def _attach(
+    x: Array, outward: Array, nodes: Array, seam: Array, base: Array, onwards: Array | None
+) -> tuple[Array, Array]:
+    """The part ``nodes`` brought to its seam with the nodes ``base``: its positions and its rotation.
+
+    onwards : the way in which it goes on from there, where it is sewn to an edge
+    """
     own, other = x[seam[:, 0]], x[seam[:, 1]]
     out = outward[seam[:, 1]].mean(0)
     if len(seam) >= ROUND and min(_spread(own) / _spread(x[nodes]), _spread(other) / _spread(x[base])) > WHOLE:
@@ -162,6 +175,8 @@ def _attach(x: Array, outward: Array, nodes: Array, seam: Array, base: Array) ->
         )  # edge to edge: it closes what the other begins, and lies on its hollow side
         if np.sqrt((out**2).sum()) < FLAT:
             out = -outward[base].mean(0)
+    elif onwards is not None:
+        out = onwards
     if np.sqrt((out**2).sum()) < 1e-6:
         out = other.mean(0) - x[nodes].mean(0) + [0.0, 1e-3, 0.0]
     out = out / np.sqrt((out**2).sum())
