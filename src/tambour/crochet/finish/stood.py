@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 TIPS = 12.0
 """By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
 
+BACKWARDS = -0.6
+"""A face that looks away, as a cosine, is turned to who looks at the toy."""
+
 
 def standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
     """Every piece that parts were sewn to, turned back to where the part that they stand on stood by itself."""
@@ -44,6 +47,12 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
     for k in np.unique(piece[joined.held[:, 0]]):
         own = piece == k
         middle = x[own].mean(0)
+        seen = looks[piece[on] == k]
+        if len(seen) and float(seen[:, 2].mean()) < BACKWARDS:  # of two halves the one with the face came to lie behind
+            x[own] = middle + (x[own] - middle) * (-1.0, 1.0, -1.0)
+            for p in np.unique(task.graph.part[own]):
+                c[first[p] : first[p + 1]] = middle + (c[first[p] : first[p + 1]] - middle) * (-1.0, 1.0, -1.0)
+            looks[piece[on] == k] = seen * (-1.0, 1.0, -1.0)
         off = x[own] - middle
         if pitch := righted(off, looks[piece[on] == k]):
             way = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])

@@ -194,6 +194,8 @@ class Putter(Jointer):
         made = [(c, self._spotted(put, host, way, k)) for k, (c, way) in enumerate(zip(put.copies, ways))]
         if len(made) == 2 and put.copies[0][0] == put.copies[1][0]:
             made = self._paired(put, host, made)
+        if len(made) == 4 and len({c[0] for c, _ in made}) == 1 and not self.work.spots.in_rows[host.part]:
+            made = self._evened(host, made)
         if put.where.stitch is None:
             places = spread([spot for _, (spot, _) in made], host, 2.0 * self._half(put.copies[0]))
             made = [(c, (host.within(spot), way)) for (c, (_, way)), spot in zip(made, places)]
@@ -206,6 +208,10 @@ class Putter(Jointer):
             and records[0].spot.round == records[1].spot.round
         ):
             records[1] = _mirrored(records[0], records[1])
+        if len(records) == 4 and len({c[0] for c in put.copies}) == 1:
+            for k in (0, 2):
+                if records[k].spot.round == records[k + 1].spot.round and ways[k].at[0] * ways[k + 1].at[0] < 0.0:
+                    records[k + 1] = _mirrored(records[k], records[k + 1])
         return records
 
     def _exactly(self, put: Put) -> bool:
@@ -338,7 +344,7 @@ class Putter(Jointer):
         self, put: Put, host: Host, both: list[tuple[Copy, tuple[Spot, Way]]]
     ) -> list[tuple[Copy, tuple[Spot, Way]]]:
         """Two copies: mirrored about the middle of the front, as far apart as is said; the lower stitch comes first."""
-        (one, (a, way)), (other, (b, mirror)) = both
+        (one, (a, way)), (_, (b, _)) = both
         if a.stitch is None or b.stitch is None or (self.work.spots.in_rows[host.part] and put.where.rounds is None):
             return both
         middle = host.middle(a.round)
@@ -370,13 +376,33 @@ class Putter(Jointer):
             off = 0.25 * count  # on both sides of it, not both in front
         if apart is not None and self._lies_name(host) and way.at[1] < -0.3:
             middle += 0.5 * count  # legs of what lies: from the middle of its underside
+        return self._sides(host, both, a, middle, off)
+
+    def _sides(
+        self, host: Host, both: list[tuple[Copy, tuple[Spot, Way]]], at: Spot, middle: float, off: float
+    ) -> list[tuple[Copy, tuple[Spot, Way]]]:
+        """Two copies so many stitches off the middle of a round, each with the way of its side."""
+        (one, (_, way)), (other, (_, mirror)) = both
         off = round(off, 3)
-        first = replace(a, stitch=round(middle - off, 3))
-        last = replace(a, stitch=round(middle + off, 3))
+        first = replace(at, stitch=round(middle - off, 3))
+        last = replace(at, stitch=round(middle + off, 3))
         # Which of the two ways is on the side of the lower stitch?
         x = self.stand.frame(first).points[0][0] - host.box[0][0]
         ways = (way, mirror) if (x >= 0.0) == (way.at[0] >= 0.0) else (mirror, way)
         return [(one, (first, ways[0])), (other, (last, ways[1]))]
+
+    def _evened(self, host: Host, made: list[tuple[Copy, tuple[Spot, Way]]]) -> list[tuple[Copy, tuple[Spot, Way]]]:
+        """Two pairs of limbs, each the mirror image of itself, though rounds that spiral lean a little."""
+        even: list[tuple[Copy, tuple[Spot, Way]]] = []
+        for both in (made[:2], made[2:]):
+            (_, (a, way)), (_, (b, mirror)) = both
+            if a.stitch is None or b.stitch is None or a.round != b.round or mirror.at[0] * way.at[0] >= 0.0:
+                even += both
+                continue
+            middle, count = host.middle(a.round), host.count(a.round)
+            offs = [abs((s - middle + count / 2) % count - count / 2) for s in (a.stitch, b.stitch)]
+            even += self._sides(host, both, a, middle, 0.5 * sum(offs))
+        return even
 
 
 def _mirrored(one: Placed, other: Placed) -> Placed:
