@@ -62,7 +62,11 @@ LEGS = {7: -0.01, 8: -0.07, 9: -0.125, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37,
 # And how far before the fabric (row, w): both legs outside, equally far, all the way up, so that a V is seen from either side;
 # and behind them, hidden, the yarn that comes through the loop to be the next head. Drawn tight alone the left leg sinks in
 # half way up behind the right one, and from the right a row reads as a rope.
-DEEP = {8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.04, 28: -0.02, 29: 0.02}  # fmt: skip
+DEEP = {8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.06, 28: -0.08, 29: -0.08, 30: -0.02, 31: 0.0, 32: 0.03, 33: 0.09}  # fmt: skip
+
+# And how high its head begins (row, v): down in the gap between the stitches worked over it, and, above, deep in it. Drawn tight
+# alone it stands up there before them: where the colour changes the old one has teeth.
+LOW = {27: 0.93, 28: 0.98, 29: 1.09, 30: 1.11, 31: 1.17, 32: 1.25, 39: 1.24, 40: 1.18}
 
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:
@@ -179,10 +183,11 @@ def rested(
     lean: float,
     legs: dict[int, float],
     deep: dict[int, float],
+    low: dict[int, float],
     snug: float,
     rounds: int = 300,
 ) -> np.ndarray:
-    """The table (46, 3), its loop drawn to where hands leave it (``legs`` aside, ``deep`` before the fabric), as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
+    """The table (46, 3), its loop drawn to where hands leave it (``legs`` aside, ``deep`` before the fabric, its head ``low``), as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
     so that a lattice of it is pushed apart as pieces are, until nothing in it is nearer than the yarn's width."""
     made, ends = line.copy(), np.arange(8) * 9 * len(line)
 
@@ -195,6 +200,8 @@ def rested(
             made[k, 0] += 0.15 * (u + lean * made[k, 1] - made[k, 0])
         for k, w in deep.items() if number < rounds - 60 else ():
             made[k, 2] += 0.15 * (w - made[k, 2])
+        for k, v in low.items() if number < rounds - 60 else ():
+            made[k, 1] += 0.15 * (v - made[k, 1])
         if number < rounds - 60:  # and the yarn is drawn tight, for the legs take more
             one = np.array([1.0, 0.0, 0.0])
             made += snug * (
@@ -246,10 +253,10 @@ def main(arguments: list[str]) -> None:
             break
         low, most = (tight, most) if length > LENGTH else (low, tight)
     # Its few points cut corners, and its legs take more: drawn tight once more, by as much as it needs.
-    low, most, made, legs, deep = 1e-4, 0.1, table(x, up), {} if under else LEGS, {} if under else DEEP
+    low, most, made, held = 1e-4, 0.1, table(x, up), ({}, {}, {}) if under else (LEGS, DEEP, LOW)
     for _ in range(9):
         snug = (low * most) ** 0.5
-        made = rested(table(x, up), high, -up[0], legs, deep, snug)
+        made = rested(table(x, up), high, -up[0], *held, snug)
         length, near = measured(made, high, -up[0])
         print(f"snug {snug:.5f}: {length:.2f} widths", file=sys.stderr, flush=True)
         if abs(length - LENGTH) < 0.03:

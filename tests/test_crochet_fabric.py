@@ -382,7 +382,7 @@ def test_the_program_that_found_the_course_leaves_it_as_it_is() -> None:
     program = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(program)
     lean = loops.LEAN["over"]
-    rested = program.rested(loops.SINGLE, 1.0, lean, program.LEGS, program.DEEP, 0.002, rounds=2)
+    rested = program.rested(loops.SINGLE, 1.0, lean, program.LEGS, program.DEEP, program.LOW, 0.002, rounds=2)
     assert abs(rested - loops.SINGLE).max() < 0.03
     length, nearest = program.measured(loops.SINGLE, 1.0, lean)
     assert length == pytest.approx(program.LENGTH, abs=0.05) and nearest > 0.99
@@ -519,6 +519,22 @@ def test_the_heads_at_an_edge_are_links_of_a_chain(text: str) -> None:
         spread[i] = float(np.ptp(head[head[:, 0] > 0.8, 2]))
     edge, inside = [spread[i] for i in free[:-1]], [spread[i] for i in range(1, len(graph) - 1) if i not in free]
     assert len(edge) >= 10 and np.median(edge) > 1.4 * np.median(inside)
+
+
+def test_a_head_that_is_worked_over_lies_deep_between_the_stitches_above(
+    striped: tuple[StitchGraph, np.ndarray],
+) -> None:
+    """It stood up between them, as thick as all the yarn: where the colour changed the old one had teeth."""
+    graph, x = striped
+    made, thick = lead.way(graph), fabric.strands(graph, x)
+    over = np.isin(np.arange(len(graph)), graph.anchors)[made.cell] & (graph.kind == graph.kinds.index("sc"))[made.cell]
+    between = (made.at[:, 1] > 0.98) & (made.at[:, 0] > 0.45) & (made.at[:, 0] < 0.85) & over
+    assert between.sum() > 60 and made.at[between, 2].max() < 0.08
+    assert np.quantile(made.at[between & (made.at[:, 2] > -0.1), 1], 0.9) < 1.2
+    assert thick.radius.min() < 0.72 * np.median(thick.radius)
+    edge = lead.way(piece(DISC)[0])
+    loose = (edge.cell == edge.cell.max() - 2) & (edge.at[:, 1] > 0.9) & (edge.at[:, 0] > 0.45)
+    assert edge.at[loose, 2].max() > 0.2  # a link of the chain along an edge
 
 
 @pytest.mark.parametrize(("text", "flat"), [(DISC, True), (POT, False), (CONE, False)])

@@ -27,6 +27,8 @@ OUT = 0.55
 """What of a loop stitch lies further out than this, in widths, hangs."""
 PRESSED = 0.26
 """How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
+SQUEEZED = 0.3
+"""How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 BOWED = 1.1
@@ -103,7 +105,7 @@ def strands(
     # A magic ring is drawn tight: no yarn presses it thin, or a hole would show.
     ring = (led.below >= 0) & (graph.peculiarity[np.maximum(led.below, 0)] == ROOT)
     wide = np.where(ring, 1.0, _pressed(led.at))
-    wide *= _fuller(led, graph)
+    wide *= _fuller(led, graph) * _squeezed(led, graph)
     wide[hung & np.isin(graph.kind[led.cell], _named(graph, "fur"))] = OPENED
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
@@ -157,6 +159,15 @@ def _pressed(at: Array) -> Array:
         (1.05 - v) / 0.1, 0.0, 1.0
     )
     return np.asarray(1.0 - PRESSED * passing * through)
+
+
+def _squeezed(led: Way, graph: StitchGraph) -> Array:
+    """How thick (P,) the front strands of heads are that stitches are worked over, both strands of them."""
+    over = np.zeros(len(graph), np.bool_)
+    over[graph.anchors[np.repeat(graph.loop == 0, np.diff(graph.anchor_offsets))]] = True
+    _, v, w = led.at.T
+    head = np.clip((v - graph.height[led.cell]) / 0.08, 0.0, 1.0) * np.clip((w + 0.12) / 0.1, 0.0, 1.0)
+    return np.asarray(1.0 - SQUEEZED * over[led.cell] * head)
 
 
 def _fuller(led: Way, graph: StitchGraph) -> Array:

@@ -26,20 +26,7 @@ from tambour.crochet.yarn.ends import (
     behind,
     ended,
 )
-from tambour.crochet.yarn.loops import (
-    BACK_ONLY,
-    CHAIN,
-    FRONT_ONLY,
-    HEAD,
-    LEAN,
-    SINGLE,
-    TALL,
-    TOP,
-    UNDER,
-    count_points,
-    lead,
-    with_rows,
-)
+from tambour.crochet.yarn.loops import HEAD, LEAN, TALL, TOP, count_points, lead, tables
 from tambour.geometry.motion import length
 from tambour.noise import stream
 
@@ -126,7 +113,7 @@ def roles(graph: StitchGraph) -> Array:
 
 def way(graph: StitchGraph, hold: str = "over") -> Way:
     """The way of the yarn through a graph; hold : how it lies on the hook, over or under."""
-    n, single = len(graph), UNDER if hold == "under" else SINGLE
+    n = len(graph)
     role = roles(graph)
     count = np.zeros(n, np.int64)
     count_points(role, graph.anchor_offsets, graph.height, count)
@@ -136,22 +123,26 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     ridge = np.zeros(n, np.int8)
     for loop, free in ((BACK, 1), (FRONT, -1)):
         ridge[graph.parent[(graph.loop == loop) & (graph.parent >= 0)]] = free
+    loose = role == STITCH
+    loose[graph.anchors] = False
+    loose |= ridge == 1
     sunk = np.zeros(n, np.bool_)
     wide = np.flatnonzero(np.diff(graph.anchor_offsets) > 1)
     sunk[np.maximum(graph.previous[graph.anchors[graph.anchor_offsets[wide]]], 0)] = True
     sunk &= role == STITCH
     ring = (graph.parent >= 0) & (graph.peculiarity[np.maximum(graph.parent, 0)] == ROOT) & (role == STITCH)
+    courses, chain = tables(hold)
     lead(
         role,
         start,
         graph.anchors,
         graph.anchor_offsets,
         graph.height,
-        np.where(ring, 0, graph.loop.astype(np.int64)),
+        np.where(ring, 0, graph.loop.astype(np.int64)) + len(courses) // 2 * loose,
         ridge,
         sunk,
-        np.stack([single, with_rows(single, FRONT_ONLY), with_rows(single, BACK_ONLY)]),
-        CHAIN,
+        courses,
+        chain,
         *_shapes(graph),
         LEAN[hold],
         cell,

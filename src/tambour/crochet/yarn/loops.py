@@ -40,18 +40,18 @@ LEAN: Final = {"over": 0.271, "under": 0.08}
 
 SINGLE: Final[Array] = np.array(
     [
-        (-0.247, 0.539, -0.321), (-0.203, 0.431, -0.321), (-0.189, 0.317, -0.311), (-0.178, 0.201, -0.304),
-        (-0.166, 0.108, -0.234), (-0.128, 0.080, -0.126), (-0.072, 0.074, 0.114), (0.032, 0.158, 0.322),
-        (0.038, 0.404, 0.361), (0.051, 0.655, 0.378), (0.084, 0.892, 0.299), (0.246, 0.838, 0.113),
-        (0.440, 0.798, -0.043), (0.630, 0.806, 0.116), (0.610, 0.658, 0.309), (0.499, 0.458, 0.378),
-        (0.354, 0.273, 0.363), (0.222, 0.108, 0.268), (0.166, 0.021, 0.063), (0.271, 0.036, -0.138),
-        (0.379, 0.150, -0.228), (0.503, 0.280, -0.214), (0.632, 0.393, -0.160), (0.761, 0.509, -0.110),
-        (0.843, 0.620, -0.120), (0.848, 0.753, -0.080), (0.769, 0.865, -0.060), (0.677, 0.968, -0.042),
-        (0.563, 1.047, -0.018), (0.541, 1.179, 0.024), (0.616, 1.216, 0.139), (0.753, 1.255, 0.150),
-        (0.888, 1.291, 0.121), (1.031, 1.298, 0.128), (1.169, 1.269, 0.111), (1.297, 1.233, 0.060),
-        (1.258, 1.230, -0.077), (1.123, 1.247, -0.124), (0.982, 1.283, -0.115), (0.835, 1.282, -0.094),
-        (0.704, 1.218, -0.129), (0.607, 1.133, -0.210), (0.513, 1.021, -0.254), (0.468, 0.888, -0.317),
-        (0.526, 0.744, -0.316), (0.644, 0.646, -0.297),
+        (-0.248, 0.539, -0.321), (-0.195, 0.405, -0.329), (-0.166, 0.283, -0.398), (-0.144, 0.142, -0.387),
+        (-0.138, 0.052, -0.275), (-0.104, 0.045, -0.135), (-0.056, 0.057, 0.113), (0.035, 0.167, 0.321),
+        (0.042, 0.417, 0.360), (0.056, 0.669, 0.380), (0.085, 0.911, 0.306), (0.241, 0.834, 0.121),
+        (0.444, 0.771, -0.014), (0.642, 0.843, 0.120), (0.620, 0.695, 0.313), (0.506, 0.492, 0.379),
+        (0.360, 0.303, 0.362), (0.225, 0.125, 0.281), (0.167, 0.028, 0.075), (0.271, 0.037, -0.135),
+        (0.379, 0.150, -0.225), (0.503, 0.279, -0.213), (0.631, 0.393, -0.160), (0.760, 0.509, -0.111),
+        (0.837, 0.609, -0.120), (0.852, 0.727, -0.081), (0.785, 0.832, -0.060), (0.707, 0.929, -0.064),
+        (0.594, 0.981, -0.081), (0.564, 1.104, -0.072), (0.681, 1.114, -0.016), (0.797, 1.178, 0.003),
+        (0.904, 1.255, 0.034), (1.023, 1.296, 0.092), (1.161, 1.273, 0.109), (1.291, 1.241, 0.061),
+        (1.253, 1.232, -0.077), (1.117, 1.249, -0.124), (0.983, 1.293, -0.156), (0.850, 1.240, -0.186),
+        (0.720, 1.180, -0.215), (0.602, 1.124, -0.283), (0.510, 1.010, -0.291), (0.472, 0.870, -0.318),
+        (0.534, 0.736, -0.315), (0.648, 0.642, -0.298),
     ]
 )  # fmt: skip
 """A single crochet worked under both loops (46, 3), yarn over: the yarn's end is the next stitch's beginning."""
@@ -96,8 +96,24 @@ FRONT_ONLY: Final[dict[int, tuple[float, float, float]]] = {
 }  # fmt: skip
 """Rows of a stitch worked under the front strand alone: the back one stays inside, a ridge there."""
 
+LOOSE: Final[dict[int, tuple[float, float, float]]] = {
+    27: (0.677, 0.968, -0.042), 28: (0.563, 1.047, -0.018), 29: (0.541, 1.179, 0.024), 30: (0.616, 1.216, 0.139),
+    31: (0.753, 1.255, 0.150), 32: (0.888, 1.291, 0.121), 33: (1.031, 1.298, 0.128), 38: (0.982, 1.283, -0.115),
+    39: (0.835, 1.282, -0.094), 40: (0.704, 1.218, -0.129), 41: (0.607, 1.133, -0.210), 42: (0.513, 1.021, -0.254),
+}  # fmt: skip
+"""Rows of a head over which nothing is worked: no stitch draws its front strand down and in, into the gap to the next."""
+
 CHAIN: Final[Array] = np.array([(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0.34, 0.48, -0.31), (0.62, 0.47, -0.22)])
 """What comes before the head in a chain: the bump behind it."""
+
+
+def tables(hold: str) -> tuple[Array, Array]:
+    """The courses (6, 46, 3) of a stitch under both loops, the front and the back one, and of each with its head LOOSE; and a chain's."""
+    single, loose = (UNDER, {}) if hold == "under" else (SINGLE, LOOSE)
+    made = [single, with_rows(single, FRONT_ONLY), with_rows(single, BACK_ONLY)]
+    free = [with_rows(table, loose) for table in made]
+    return np.stack(made + free), np.vstack([CHAIN, free[0][HEAD:]])
+
 
 SUNK: Final = (0.1, 0.1)
 """How far down and in the front strand of a head is drawn that lies before a decrease: no loop covers it."""
@@ -163,9 +179,9 @@ def lead(
 ) -> None:
     """Fill cell, below (P,) and at (P, 3), from ``start[i]`` on, with the course of the yarn through every node.
 
-    table_of : (N,) which of ``tables`` (K, 46, 3) is the course by the loops worked under, 0 being both
+    table_of : (N,) which of ``tables`` (K, 46, 3) is the course by the loops worked under, 0 being both, and by whether its head is LOOSE
     ridge : (N,) whether a stitch above leaves this one's front strand (1) or its back one (-1) free; sunk : (N,) whether its head is drawn in, since
-    the loops of a decrease lean away from it; chain : (4, 3), before a chain's loop
+    the loops of a decrease lean away from it; chain : (27, 3), of a chain
     deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
     out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side; lean : of the tables
     """
@@ -174,7 +190,7 @@ def lead(
         if role[i] == 2:
             for k in range(4 + 46 - HEAD):
                 cell[p], below[p] = i, -1
-                at[p] = chain[k] if k < 4 else tables[0, HEAD + k - 4]
+                at[p] = chain[k]
                 p += 1
         if role[i] != 1:
             continue
