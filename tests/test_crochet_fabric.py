@@ -507,6 +507,25 @@ CONE = "".join(
 )
 
 
+@pytest.mark.parametrize(
+    ("text", "most"),
+    [
+        (": 11 ch, turn\n" + ": 10 sc, turn, ch\n" * 8 + ": 10 sc\n", 0.6),
+        (": 12 ch, turn\n" + ": 10 dc, turn, 2 ch\n" * 5 + ": 10 dc\n", 0.6),
+    ],
+)
+def test_the_sides_of_a_piece_in_rows_are_level(text: str, most: float) -> None:
+    """Chains that turned a row and the last head stood out at its sides, and its first chain lay a stitch within them: stairs and horns."""
+    made = make(Text("@stuffing = none\n" + text), CrochetParams(), Progress())
+    graph = made.built.graph
+    yarn = fabric.strands(graph, made.positions)
+    across, row = yarn.paths.coords[:, 0] / graph.stitch_width, graph.round[yarn.point_data["stitch"]]
+    rows = np.arange(int(row.max()) + 1)
+    for side in (1.0, -1.0):
+        outline = np.array([(side * across[row == k]).max() for k in rows])
+        assert np.ptp(outline - np.polyval(np.polyfit(rows, outline, 1), rows)) < most  # it may stand askew
+
+
 @pytest.mark.parametrize("text", [DISC, POT, CONE])
 def test_the_heads_at_an_edge_are_links_of_a_chain(text: str) -> None:
     """Narrow where one comes out of the link before, wide where it lies about the next; inside the fabric they are drawn flat."""

@@ -1,4 +1,4 @@
-"""Edges: how the yarn lies where a piece ends: heads as links of a chain, and a spiral whose last stitch is slipped in."""
+"""Edges: how the yarn lies where a piece ends: heads as links of a chain, a spiral whose last stitch is slipped in, chains that turn."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, SEWN, TIP, StitchGraph
-from tambour.crochet.yarn.ends import NONE, STITCH
+from tambour.crochet.yarn.ends import CHAINED, NONE, STITCH
 from tambour.crochet.yarn.loops import HEAD, TOP
 
 # The head of a stitch that nothing is worked into lies as a link of a chain: narrow where it comes out of the link before, wide where it
@@ -34,13 +34,19 @@ _SLIP = np.array(
 # The next round, worked over it, draws it down and behind; at an edge it lies within that.
 _COVERED, _EDGED = np.array([0.0, -0.3, -0.2]), np.array([0.0, -0.18, 0.0])
 
-TIGHT = 0.6
+TIGHT = 0.5
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
 
 EASED = 7
 """The last stitches of an open spiral, which come down to the round below."""
 STEP = 0.75
 """How far down the last of them comes, of its height."""
+
+DRAWN, BEYOND = 0.55, 0.3
+"""How far the chains that turn a row are drawn in towards its first stitch, as a share of how far they stand out; how far, in
+widths, they still do at the most."""
+LAST = 0.35
+"""How far the last stitch of all is drawn in towards the one before it, as a share of how far it is from it."""
 
 
 def slip(covered: bool) -> Array:
@@ -108,6 +114,32 @@ def eased(graph: StitchGraph, x: Array, role: Array, host: Array, slip: Array) -
     return made
 
 
+def level(graph: StitchGraph, x: Array, role: Array) -> Array:
+    """Positions (N, 3) with the chains that lift a turned row drawn in: where nothing is worked into them they stand out at its
+    beginning, and the edge of the piece goes in steps of two rows. And with the last stitch of a last row, about which no chain turns."""
+    over = np.zeros(len(graph), np.bool_)
+    over[graph.anchors] = True
+    lifts = (role == CHAINED) & ~over
+    made = x.copy()
+    for first in (np.flatnonzero(lifts[1:] & ~lifts[:-1]) + 1).tolist():
+        s = first
+        while s < len(graph) and lifts[s] and graph.previous[s] == s - 1:
+            s += 1
+        turns = s + 1 < len(graph) and role[first - 1] != NONE and role[s] == STITCH == role[s + 1]
+        if not turns or graph.previous[s] != s - 1 or graph.direction[first - 1] == graph.direction[s]:
+            continue
+        out = x[s] - x[s + 1]
+        out = out / max(float(np.sqrt((out**2).sum())), 1e-9)
+        far = np.maximum((x[first:s] - x[s]) @ out, 0.0)
+        made[first:s] -= (far - np.minimum((1.0 - DRAWN) * far, BEYOND * graph.stitch_width))[:, None] * out
+    for part in graph.parts:
+        i = part.end - 1
+        own = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) if i > part.start and role[i] == STITCH else -1
+        if own >= 0 and role[i - 1] == STITCH == role[own] and graph.direction[own] != graph.direction[i]:
+            made[i] += LAST * (x[i - 1] - x[i])
+    return made
+
+
 def tightened(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:
     """Where a flat row is fastened off the last head is drawn tight: nothing comes that it could lie over to."""
     last = role != NONE
@@ -118,4 +150,4 @@ def tightened(graph: StitchGraph, role: Array, follows: Array, start: Array, at:
         if own >= 0 and (role[own] == NONE or (role[own] == STITCH and graph.direction[own] == graph.direction[i])):
             continue  # a round: the head lies over to the round's first stitch
         head = at[int(start[i + 1]) - (TOP[1] - HEAD) : int(start[i + 1]), 0]
-        head[head > TIGHT] -= 0.6 * (head[head > TIGHT] - TIGHT)
+        head[head > TIGHT] -= 0.75 * (head[head > TIGHT] - TIGHT)

@@ -6,6 +6,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import StitchGraph
+from tambour.crochet.yarn.loops import TALL
 
 # What a node is to the yarn.
 NONE, STITCH, CHAINED = 0, 1, 2
@@ -16,7 +17,11 @@ INWARD = np.array([(0.50, 0.42, -0.50), (0.0, 0.38, -0.53), (-0.55, 0.38, -0.53)
 OUTWARD = np.array([(2.3, 0.48, -0.50), (1.7, 0.46, -0.53), (1.2, 0.46, -0.53), (0.86, 0.46, -0.36)])
 _BEGIN = np.array([(1.2, 0.44, -0.50), (0.65, 0.42, -0.53), (0.1, 0.45, -0.53), (-0.22, 0.52, -0.45)])
 # From a stitch in the front of a turned row an end gets behind the fabric around the edge.
-_EDGE = np.array([(0.85, 0.46, 0.0)])
+_EDGE = np.array([(0.70, 0.46, 0.0)])
+# The first chain's loop begins where the edge is: a slip knot, about which the yarn comes to the front.
+_KNOT = np.array(
+    [(0.40, 0.50, -0.46), (0.0, 0.62, -0.34), (-0.06, 0.78, -0.06), (0.10, 0.74, 0.16), (0.38, 0.60, 0.14)]
+)
 # Where a magic ring is drawn tight its end lies across the middle: over the far side of the ring, the middle, this side.
 _FAR = np.array([(0.0, 0.75, -0.50), (0.0, 0.25, -0.48)])
 _MIDDLE = np.array([(0.0, 1.0, -0.30)])
@@ -87,7 +92,10 @@ def begun(
             pieces.put(where, START, n, on, _ROUND)
         drop[where : where + 4] = True
     elif role[i] == CHAINED:
-        pieces.put(where, START, i, -1, behind(graph, i, OUTWARD, _EDGE))
+        # Posts of tall stitches stand further in than the legs of others.
+        at = np.searchsorted(graph.anchor_offsets, np.flatnonzero(graph.anchors == i), side="right") - 1
+        wide = bool((graph.height[at] < TALL).any())
+        pieces.put(where, START, i, -1, behind(graph, i, np.vstack([OUTWARD, _KNOT]) if wide else OUTWARD))
         drop[where : where + 4] = True
     else:
         pieces.put(where, START, i, on, behind(graph, i, _BEGIN), float(graph.height[i]) - 1)
