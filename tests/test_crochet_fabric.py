@@ -526,6 +526,25 @@ def test_the_sides_of_a_piece_in_rows_are_level(text: str, most: float) -> None:
         assert np.ptp(outline - np.polyval(np.polyfit(rows, outline, 1), rows)) < most  # it may stand askew
 
 
+def test_the_chains_of_a_corner_are_an_even_arch() -> None:
+    """They had little room and came to rest one behind the other: the corners of a granny square had horns."""
+    made = make(Text((folder() / "crochet" / "granny.acl").read_text()), CrochetParams(), Progress())
+    graph, x = made.built.graph, made.positions
+    yarn = fabric.strands(graph, x)
+    stitch, corners = yarn.point_data["stitch"], 0
+    for c in np.flatnonzero(graph.round == graph.round.max())[1:-2].tolist():
+        if [graph.kinds[k] for k in graph.kind[c - 1 : c + 3]] != ["dc", "ch", "ch", "dc"]:
+            continue
+        across = x[c + 2] - x[c - 1]
+        out = x[c - 1 : c + 3].mean(0) - x.mean(0)
+        out -= (out @ across) / (across @ across) * across
+        out /= np.sqrt(out @ out)
+        corners += 1
+        here = yarn.paths.coords[(stitch >= c - 1) & (stitch <= c + 1)] - x[c - 1]
+        assert (here @ out).max() < 0.9 * graph.stitch_width
+    assert corners == 4
+
+
 @pytest.mark.parametrize("text", [DISC, POT, CONE])
 def test_the_heads_at_an_edge_are_links_of_a_chain(text: str) -> None:
     """Narrow where one comes out of the link before, wide where it lies about the next; inside the fabric they are drawn flat."""

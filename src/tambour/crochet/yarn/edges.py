@@ -45,6 +45,8 @@ STEP = 0.75
 DRAWN, BEYOND = 0.55, 0.3
 """How far the chains that turn a row are drawn in towards its first stitch, as a share of how far they stand out; how far, in
 widths, they still do at the most."""
+ARCHED = 0.5
+"""How high an arch of chains rises at a corner, as a share of how high it could."""
 LAST = 0.35
 """How far the last stitch of all is drawn in towards the one before it, as a share of how far it is from it."""
 
@@ -137,6 +139,34 @@ def level(graph: StitchGraph, x: Array, role: Array) -> Array:
         own = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) if i > part.start and role[i] == STITCH else -1
         if own >= 0 and role[i - 1] == STITCH == role[own] and graph.direction[own] != graph.direction[i]:
             made[i] += LAST * (x[i - 1] - x[i])
+    return made
+
+
+def arched(graph: StitchGraph, x: Array, role: Array) -> Array:
+    """Positions (N, 3) with chains at an edge that lead from stitch to stitch in even arches: two of a corner, that have little room,
+    come to rest one behind the other, and the corner has a horn."""
+    free = role == CHAINED
+    free[graph.anchors] = False
+    free[graph.edges[np.isin(graph.edge_kind, (JOIN, SEWN))].ravel()] = False
+    made = x.copy()
+    for first in (np.flatnonzero(free[1:] & ~free[:-1]) + 1).tolist():
+        last = first
+        while last < len(graph) and free[last] and graph.previous[last] == last - 1:
+            last += 1
+        a, many = first - 1, last - first
+        spans = last < len(graph) and graph.previous[last] == last - 1 and graph.previous[first] == a
+        if many < 2 or not spans or not role[a] == STITCH == role[last] or graph.direction[a] != graph.direction[last]:
+            continue
+        under = [graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]] for i in (a, last)]
+        out, across = x[a] - x[under[0]].mean(0) + x[last] - x[under[1]].mean(0), x[last] - x[a]
+        wide = float(np.sqrt((across**2).sum()))
+        out = out - (out @ across) / max(wide**2, 1e-9) * across
+        size = float(np.sqrt((out**2).sum()))
+        slack = ((many + 1) * graph.stitch_width) ** 2 - wide**2
+        if size < 1e-9 or slack <= 0.0 or wide > 0.8 * (many + 1) * graph.stitch_width:
+            continue
+        t = (np.arange(many) + 1.0)[:, None] / (many + 1)
+        made[first:last] = x[a] + t * across + ARCHED * slack**0.5 * 2.0 * t * (1.0 - t) * out / size
     return made
 
 
