@@ -212,7 +212,11 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         pieces.put(where, START, p, int(on[p]), behind(graph, p, OUTWARD), rise)
     joins, over = graph.edges[graph.edge_kind == JOIN], np.zeros(n, np.bool_)
     over[graph.anchors] = True
+    # Into the round's first stitch, not into the chain beside it that lifts the round too.
+    into = set(joins[role[joins[:, 1]] == STITCH, 0].tolist())
     for i, a in joins[(role[joins] != NONE).all(1)].tolist():
+        if role[a] == CHAINED and i in into:
+            continue
         pieces.put(int(start[i + 1]), AFTER, a, -1, slip(bool(over[a])), float(graph.height[a]))
     for i, k in slipped(graph, role).items():
         pieces.put(int(start[i + 1]), AFTER, k, -1, slip(False), float(graph.height[k]))
