@@ -526,6 +526,17 @@ def test_the_sides_of_a_piece_in_rows_are_level(text: str, most: float) -> None:
         assert np.ptp(outline - np.polyval(np.polyfit(rows, outline, 1), rows)) < most  # it may stand askew
 
 
+def test_a_ball_has_no_flat_crown() -> None:
+    """Its stitches were a ball, but not its yarn: at the tip it lay 5 % lower than about the middle."""
+    made = make(Text((folder() / "crochet" / "ball.acl").read_text()), CrochetParams(), Progress())
+    x, yarn = made.positions, made.yarn
+    from_middle = yarn.paths.coords - 0.5 * (x.max(0) + x.min(0))
+    size = np.sqrt((from_middle**2).sum(1))
+    turn = np.degrees(np.arccos(from_middle[:, 1] / size))
+    outline = [np.quantile((size + yarn.radius)[(turn >= a) & (turn < a + 9)], 0.9) for a in range(0, 180, 9)]
+    assert max(outline) / min(outline) < 1.03
+
+
 def test_the_chains_of_a_corner_are_an_even_arch() -> None:
     """They had little room and came to rest one behind the other: the corners of a granny square had horns."""
     made = make(Text((folder() / "crochet" / "granny.acl").read_text()), CrochetParams(), Progress())

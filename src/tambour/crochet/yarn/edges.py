@@ -8,6 +8,8 @@ from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.yarn.ends import CHAINED, NONE, STITCH
 from tambour.crochet.yarn.loops import HEAD, TOP
+from tambour.geometry.motion import length
+from tambour.geometry.surface import vertex_normals
 
 # The head of a stitch that nothing is worked into lies as a link of a chain: narrow where it comes out of the link before, wide where it
 # lies about the next, and lower, for nothing draws it up. What is added to its points from BRAID on.
@@ -45,6 +47,10 @@ STEP = 0.75
 DRAWN, BEYOND = 0.55, 0.3
 """How far the chains that turn a row are drawn in towards its first stitch, as a share of how far they stand out; how far, in
 widths, they still do at the most."""
+DOMES, DOME = (0.28, 0.45), 2.4
+"""How far a ring's and a tip's middle is pushed out, and over how far about it that falls off; in widths."""
+STOUT = 24
+"""Parts of fewer stitches around are limbs, whose ends are round by themselves."""
 ARCHED = 0.5
 """How high an arch of chains rises at a corner, as a share of how high it could."""
 LAST = 0.35
@@ -139,6 +145,27 @@ def level(graph: StitchGraph, x: Array, role: Array) -> Array:
         own = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) if i > part.start and role[i] == STITCH else -1
         if own >= 0 and role[i - 1] == STITCH == role[own] and graph.direction[own] != graph.direction[i]:
             made[i] += LAST * (x[i - 1] - x[i])
+    return made
+
+
+def domed(graph: StitchGraph, x: Array) -> Array:
+    """Positions (N, 3) with the middles of stuffed ends pushed out: stitches lie there on their sides, and heads that are drawn
+    together lie deeper than legs stand elsewhere, so that a ball of such yarn would have a flat crown. A flat base stays flat."""
+    normal, width, made = None, graph.stitch_width, x
+    for part in graph.parts:
+        own = slice(part.start, part.end)
+        if part.stuffing <= 0.0 or np.unique(graph.round[own], return_counts=True)[1].max(initial=0) < STOUT:
+            continue
+        for pole in np.flatnonzero(np.isin(graph.peculiarity[own], (ROOT, TIP))) + part.start:
+            if normal is None:
+                normal, made = vertex_normals(x, graph.faces), x.copy()
+            far = length(x[own] - x[pole]) / width
+            around = (far > 3.0) & (far < 5.0)
+            if not around.any():
+                continue
+            bent = 1.0 - float(np.median(normal[own][around] @ normal[pole]))
+            high = DOMES[int(graph.peculiarity[pole] == TIP)] * min(1.0, max(0.0, bent / 0.08 - 0.25))
+            made[own] += high * width * np.exp(-((far / DOME) ** 2))[:, None] * normal[own]
     return made
 
 

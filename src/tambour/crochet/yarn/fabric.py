@@ -13,7 +13,7 @@ from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
-from tambour.crochet.yarn.edges import arched, eased, level, slipped
+from tambour.crochet.yarn.edges import arched, domed, eased, level, slipped
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO, TALL
@@ -75,7 +75,7 @@ def strands(
     led = way(graph, hold)
     if slipped(graph, role := roles(graph)):
         x = eased(graph, x, role, *leaning(graph, LEAN[hold]))
-    x = arched(graph, level(graph, x, role), role)
+    x = domed(graph, arched(graph, level(graph, x, role), role))
     rows = course(graph, x, LEAN[hold])
     at = _upright(_varied(led), led, graph, rows, LEAN[hold])
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
