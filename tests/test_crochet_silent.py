@@ -540,3 +540,22 @@ def test_eyes_that_are_not_placed_are_told(words: str) -> None:
     pattern = read(Text(text, "schaf.txt"))
     said = [text[p.span.start : p.span.end] for p in (*pattern.unread, *pattern.warnings) if p.span]
     assert any(isinstance(f, Eye) for f in pattern.finish) or any("Augen" in one for one in said)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "US readers: dc = sc, tr = dc, ss = sl st, miss = skip.",
+        "For our American friends dc = sc; tr = dc.",
+        "(UK dc = US sc, UK tr = US dc)",
+    ],
+)
+def test_what_others_call_stitches_is_no_explanation_of_them(said: str) -> None:
+    words = f"The Basket (UK terms)\n\n{said}\n\nMaterials\nyarn in red\n\nBasket\nRound 1: 6 dc into a magic ring (6 dc)\nRound 2: 2 tr in each st to end (12 tr)\n"
+    assert rounds(read(Text(words, "basket.txt")))[1] == "[dcinc]x*"
+
+
+@pytest.mark.parametrize("line", ["• hook 2.5 mm", "- hook 2.5 mm", "hook 2.5 mm"])
+def test_the_hook_is_stated_by_its_own_line(line: str) -> None:
+    words = f"Pup\n\nYou will need:\n• Jeans: green, a bit of brown\n{line}\n• 6 mm eyes\n\n{BODY.replace('With A, ch', 'Ch')}"
+    assert "Jeans" not in read(Text(words, "pup.txt")).stated["hook"][0]

@@ -71,7 +71,7 @@ class Palette:
 
     def listed(self, line: str, begin: int = 0) -> None:
         """Takes the yarns that a line of the materials names, ``begin`` its place in the text, and the letters that it gives them."""
-        self.owned.update(w.lower() for w in _SAID.findall(line) if len(w) > 2)
+        self.owned.update(w.lower() for w in _SAID.findall(line) if len(w) > 2 and w.lower() != "aran")
         for name, also, at in shelf(line):
             hue = dyed(name)
             span = Span(begin + at, begin + at + len(name))

@@ -38,13 +38,19 @@ _WORN: Final = re.compile(
 """A yarn that work goes on in: "With flamingo, make a ring."."""
 
 
+_WARES: Final = frozenset(
+    "thread floss cotton wool yarn hook needle needles stuffing felt ribbon wire scraps aran worsted".split()
+)
+
+
 def colors_told(p: State) -> None:
     """Letters of yarns that the text gives no colour, and names of its list that are no colours that are known."""
     begin = min((draft.span.start for draft in p.parts), default=0)
     unknown: dict[str, Span] = {}
     for m in _WORN.finditer(p.source.text.text, begin):
         words = m[1].lower().split()
-        if words[-1] in p.palette.owned and not any(p.palette.name(" ".join(words[k:])) for k in range(len(words))):
+        some = [" ".join(words[i:j]) for i in range(len(words)) for j in range(i + 1, len(words) + 1)]
+        if words[-1] in p.palette.owned and words[-1] not in _WARES and not any(map(p.palette.name, some)):
             unknown.setdefault(words[-1], Span(m.start(1), m.end(1)))
     for span in unknown.values():
         if not any(q.span is not None and q.span.start < span.end and span.start < q.span.end for q in p.unread):

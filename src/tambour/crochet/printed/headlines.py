@@ -34,8 +34,15 @@ def below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]
         return []
     if below:
         return [(below, words, span)]
-    hook = any(t.kind == "key" and t.value == "hook" for t in tokens) and "hook" not in p.stated
-    return [("hook", words, span)] if hook and hook_of(words) is not None else []
+    hook = next((t for t in tokens if t.kind == "key" and t.value == "hook" and "hook" not in p.stated), None)
+    if hook is None:
+        return []
+    whole = p.source.text.text  # the one line that names it, of those that are read together
+    begin = max(span.start, whole.rfind("\n", 0, hook.start) + 1)
+    end = whole.find("\n", hook.start)
+    span = Span(begin, span.end if end < 0 else min(span.end, end))
+    words = whole[span.start : span.end].lstrip(" \t•*-–")
+    return [("hook", words, span)] if hook_of(words) is not None else []
 
 
 def headed(text: str, row: Row, tokens: list[Token]) -> int:

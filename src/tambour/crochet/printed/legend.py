@@ -59,6 +59,8 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
     known = vocabulary.read([name])
     if known and (known[0].kind, known[0].value) == (meant.kind, meant.value):
         return
+    if known and known[0].kind == meant.kind == "stitch" and end - at == 2 and len(tokens[at + 1].word) <= _SHORT:
+        return  # "US readers: dc = sc, tr = dc" says what others call them
     if meant.kind == "stitch" and meant.value is not None and meant.value != name.word:
         vocabulary.define(name.word, meant.value)
     elif meant.kind == "key" and meant.value in _KEYS and not (known and known[0].kind == "key"):
