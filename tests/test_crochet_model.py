@@ -47,7 +47,8 @@ from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.seating import alike, longer, nudged, singly
 from tambour.crochet.model.settled import settled
-from tambour.crochet.model.tips import Mirror, facing, mirror, stands
+from tambour.crochet.model.tips import Mirror, choose, facing, mirror, stands
+from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import area, bodies, refined, volume, where
 from tambour.crochet.page import instructions
 from tambour.crochet.page.instructions import words
@@ -639,6 +640,43 @@ def revolved(profile: list[tuple[float, float]], around: int = 36) -> tuple[Arra
     last = (len(inner) - 1) * around
     faces.append(np.column_stack([last + k, last + after, 0 * k + len(x) - 1]))
     return x, np.concatenate(faces)
+
+
+def bent(wide: float, radius: float, angle: float) -> tuple[Array, Array]:
+    """A rod with round ends, ``wide`` at half its width, led about a bend of ``radius`` by an ``angle``."""
+    steps = np.linspace(0.0, math.pi / 2, 7)[1:]
+    end = [(wide * math.sin(t), -wide * math.cos(t)) for t in steps]
+    long = radius * angle
+    profile = [(0.0, -wide), *end, *((wide, y) for y in np.linspace(0.0, long, 30)[1:-1])]
+    profile += [(r, long - y) for r, y in end[::-1]] + [(0.0, long + wide)]
+    x, faces = revolved(profile)
+    about = np.clip(x[:, 1], 0.0, long) / radius
+    over = x[:, 1] - np.clip(x[:, 1], 0.0, long)
+    out, cos, sin = radius + x[:, 0], np.cos(about), np.sin(about)
+    return np.column_stack([out * cos - over * sin, out * sin + over * cos, x[:, 2]]), faces
+
+
+def test_lines_between_two_ends_lie_square_to_a_bend_a_stitch_apart() -> None:
+    x, faces = bent(4.0, 9.0, 2.6)
+    cos, sin = math.cos(2.6), math.sin(2.6)
+    ends = np.array([(9.0, -4.0, 0.0), (9.0 * cos - 4.0 * sin, 9.0 * sin + 4.0 * cos, 0.0)])
+    tip, end = (int(((x - point) ** 2).sum(1).argmin()) for point in ends)
+    near, far = (distances(x, faces, np.array([v])) for v in (tip, end))
+    both = between(x, faces, near, far)
+
+    def askew(f: Array) -> list[float]:
+        """Of every line of the bend, how far, in radians, it runs about the bend's middle."""
+        lines_ = fronts(x, faces, f, round(float(f.max())) - 1, tip).lines
+        at = [np.arctan2(line[:, 1], line[:, 0]) for line in lines_]
+        return [float(np.ptp(a)) for a in at if 0.3 < a.mean() < 2.3]
+
+    assert max(askew(both)) < 0.25 < 0.5 < max(askew(near))
+    middles = np.array([line.mean(0) for line in fronts(x, faces, both, round(float(both.max())) - 1, tip).lines])
+    steps = np.sqrt((np.diff(middles[6:-6], axis=0) ** 2).sum(1))
+    assert abs(steps - 1.0).max() < 0.2
+    surface = Target.of(x, faces)
+    assert ringed(surface, both, tip)[0] < 0.6 * ringed(surface, near, tip)[0]
+    assert min(ringed(surface, f, v)[0] for v, f in choose(surface, None, None)) < 0.7 * ringed(surface, near, tip)[0]
 
 
 @pytest.mark.slow

@@ -21,7 +21,7 @@ from tambour.crochet.model.distance import Target
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import limbs
-from tambour.crochet.model.loop import TRIES, Task, Tried, faithful, looped, missed, tried
+from tambour.crochet.model.loop import STEP, TRIES, Task, Tried, corrected, faithful, looped, missed, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import printed
 from tambour.crochet.model.seating import seated
@@ -40,8 +40,8 @@ THIN = 3.0
 FINE, COARSE, MOVED = 1.0, 0.5, 0.1
 """The longest edge of the surface that rounds are led over, and how short they are at the least where it then moves by no more than
 the last, in stitches."""
-BEGINNINGS = 2
-"""How many tips are tried in the simulation."""
+BEGINNINGS = 3
+"""How many tips are tried in the simulation, each corrected once."""
 LARGE = 4000
 """Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
 INSIDE = -0.3
@@ -254,6 +254,8 @@ def _first(
                 task, hollow=(inside[0], len(looks)) if inside[-1] > 0.8 * len(looks) else (inside[0], inside[-1])
             )
         now = tried(task, task.way.girths)
+        again = tried(task, corrected(task, now, STEP))
+        now = again if again.distance.mean < now.distance.mean else now
         if best is None or now.distance.mean < best[1].distance.mean:
             best = task, now
     assert best is not None

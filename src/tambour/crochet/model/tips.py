@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.model.distance import Target, spread
 from tambour.crochet.model.geodesic import about, distances, girth, lines
+from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import corners
 from tambour.geometry.closest import nearest, tree
 from tambour.geometry.motion import axes, turned
@@ -27,8 +28,11 @@ ALIKE = 0.012
 """A model is its own mirror image where that is no farther off than this share of its size, on the average."""
 DEEP, HEAD, FEET = 0.6, 0.15, 0.05
 """An animal is at least so deep for its height, its head lies so far to one end, and what it stands on so far to the other."""
-LOOKS = 18
-"""How many lines are looked at to see what a tip would lose."""
+LOST, WIDE, LEANING, HOLLOW = 4.0, 0.2, 0.1, 4.0
+"""What it costs, in stitches that rings are off, that rounds leave all of a surface out, begin twice as wide as a tip is, lean as far as
+can be, and begin inside of a hollow."""
+PAIRED, APART = 3, 0.45
+"""How many tips are tried with another end, and how far from each other the two lie, as a share of the longest way."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -152,17 +156,6 @@ def candidates(vertices: Array, faces: Array, plane: Mirror | None) -> list[int]
     return list(dict.fromkeys(found))
 
 
-def lost(vertices: Array, faces: Array, f: Array) -> float:
-    """The share of the surface that rounds along ``f`` would leave out: what lies on lines beside the longest one."""
-    total = beside = 0.0
-    for value in (np.arange(LOOKS) + 0.5) / LOOKS * float(f.max()):
-        sizes = [girth(line) for line in lines(vertices, faces, f, float(value))]
-        if sizes:
-            total += sum(sizes)
-            beside += sum(sizes) - max(sizes)
-    return beside / max(total, 1e-12)
-
-
 def inward(surface: Target, line: Array) -> float:
     """How far the surface along a closed line (K, 3) looks away from the line's middle: 1 on a rod, -1 inside of a cup."""
     points = line[:: max(1, len(line) // 24)]
@@ -172,10 +165,11 @@ def inward(surface: Target, line: Array) -> float:
     return float((off * surface.normals[face]).sum(1).mean())
 
 
-def choose(surface: Target, plane: Mirror | None, side: str | None, few: int = 2) -> list[tuple[int, Array]]:
-    """The best ``few`` tips, each with the way (V,) from it: those that leave least out, long ways before short ones.
+def choose(surface: Target, plane: Mirror | None, side: str | None, few: int = 3) -> list[tuple[int, Array]]:
+    """At most ``few`` tips, each with a way (V,) from it: the best of one end, the best of two, and the next best.
 
-    side : the side that it shall lie on, None: the best wherever it is
+    A way is the better the nearer rings along it lie to the surface, and the less they leave out. side : the side that the tip
+    shall lie on, None: the best wherever it is
     """
     vertices, faces = surface.vertices, surface.faces
     known = about(faces, len(vertices))
@@ -183,25 +177,27 @@ def choose(surface: Target, plane: Mirror | None, side: str | None, few: int = 2
         used = corners(faces)
         tip = int(used[int((vertices[used] * np.array(SIDES[side])).sum(1).argmax())])
         return [(tip, distances(vertices, faces, np.array([tip]), known))]
-    scored = []
-    size = float(np.sqrt((np.ptp(vertices, axis=0) ** 2).sum()))
-    for tip in candidates(vertices, faces, plane):
-        f = distances(vertices, faces, np.array([tip]), known)
-        # A round that is wide from its first rows on is no tip: the ring lies in a hollow, or on an edge.
-        first = lines(vertices, faces, f, 2.0)
-        wide = max((girth(line) for line in first), default=0.0) / (4.0 * np.pi)
-        # Nor is the inside of a cup one: rounds there would be begun where no hand comes.
-        hollow = float((inward(surface, first[0]) if first else 0.0) < -0.1)
-        # A part can be stood on its end or laid with its start ahead: one that leans is shown leaning.
-        axis = vertices[tip] - vertices[int(f.argmax())]
-        leans = 1.0 - max(abs(float(axis[1])), float(axis[2])) / (float(np.sqrt((axis**2).sum())) + 1e-9)
-        price = (
-            lost(vertices, faces, f)
-            + 0.05 * max(wide - 1.05, 0.0)
-            - 0.02 * float(f.max()) / size
-            + 0.05 * leans
-            + hollow
-        )
-        scored.append((price, tip, f))
-    scored.sort(key=lambda item: item[0])
-    return [(tip, f) for _, tip, f in scored[:few]]
+    ways = {tip: distances(vertices, faces, np.array([tip]), known) for tip in candidates(vertices, faces, plane)}
+    long = max(float(f.max()) for f in ways.values())
+    single = sorted((_price(surface, f, tip), tip, tip) for tip, f in ways.items())
+    ends = [tip for _, tip, _ in single]
+    pairs = [(a, b) for a in ends[:PAIRED] for b in ends if float(ways[a][b]) > APART * long]
+    both = {(a, b): between(vertices, faces, ways[a], ways[b]) for a, b in pairs}
+    double = sorted((_price(surface, f, a), a, b) for (a, b), f in both.items())
+    best = [*single[:1], *double[:1], *sorted([*single[1:], *double[1:]])][:few]
+    return [(a, ways[a] if a == b else both[a, b]) for _, a, b in sorted(best)]
+
+
+def _price(surface: Target, f: Array, tip: int) -> float:
+    """What rounds along ``f`` (V,) from vertex ``tip`` are off, in stitches, and worse by."""
+    vertices = surface.vertices
+    off, lost = ringed(surface, f, tip)
+    # A round that is wide from its first rows on is no tip: the ring lies in a hollow, or on an edge.
+    first = lines(vertices, surface.faces, f, 2.0)
+    wide = max((girth(line) for line in first), default=0.0) / (4.0 * np.pi)
+    # Nor is the inside of a cup one: rounds there would be begun where no hand comes.
+    hollow = first and inward(surface, first[0]) < -0.1
+    # A part can be stood on its end or laid with its start ahead: one that leans is shown leaning.
+    axis = vertices[tip] - vertices[int(f.argmax())]
+    leans = 1.0 - max(abs(float(axis[1])), float(axis[2])) / (float(np.sqrt((axis**2).sum())) + 1e-9)
+    return off + LOST * lost + WIDE * max(wide - 1.05, 0.0) + LEANING * leans + (HOLLOW if hollow else 0.0)
