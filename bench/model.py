@@ -158,9 +158,9 @@ def words_of(piece: Any, number: int) -> list[Any]:
             if len(anchors) > 1:
                 words.append("dec" if len(anchors) == 2 else "dec3")
             elif n > nodes[0] and graph.parent[n] == graph.parent[n - 1]:
-                words[-1] = {"sc": "inc", "inc": "inc3"}[words[-1]]
+                words[-1] = {"sc": "inc", "inc": "inc3"}.get(words[-1], "inc3")
             else:
-                words.append("sc")
+                words.append(graph.kinds[graph.kind[n]])
         made.append(Round(tuple(words)))
     return made
 

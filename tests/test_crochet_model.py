@@ -31,6 +31,7 @@ from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot, Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.assemble import Piece
+from tambour.crochet.model.bends import GENTLE, arched, heights, leaning, needed
 from tambour.crochet.model.bumps import taken_off, uncoloured
 from tambour.crochet.model.coarse import coarse
 from tambour.crochet.model.couple import couple
@@ -39,7 +40,7 @@ from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
 from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
-from tambour.crochet.model.loop import Tried
+from tambour.crochet.model.loop import Task, Tried, bent, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
 from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
@@ -642,7 +643,7 @@ def revolved(profile: list[tuple[float, float]], around: int = 36) -> tuple[Arra
     return x, np.concatenate(faces)
 
 
-def bent(wide: float, radius: float, angle: float) -> tuple[Array, Array]:
+def hooked(wide: float, radius: float, angle: float) -> tuple[Array, Array]:
     """A rod with round ends, ``wide`` at half its width, led about a bend of ``radius`` by an ``angle``."""
     steps = np.linspace(0.0, math.pi / 2, 7)[1:]
     end = [(wide * math.sin(t), -wide * math.cos(t)) for t in steps]
@@ -657,7 +658,7 @@ def bent(wide: float, radius: float, angle: float) -> tuple[Array, Array]:
 
 
 def test_lines_between_two_ends_lie_square_to_a_bend_a_stitch_apart() -> None:
-    x, faces = bent(4.0, 9.0, 2.6)
+    x, faces = hooked(4.0, 9.0, 2.6)
     cos, sin = math.cos(2.6), math.sin(2.6)
     ends = np.array([(9.0, -4.0, 0.0), (9.0 * cos - 4.0 * sin, 9.0 * sin + 4.0 * cos, 0.0)])
     tip, end = (int(((x - point) ** 2).sum(1).argmin()) for point in ends)
@@ -676,7 +677,58 @@ def test_lines_between_two_ends_lie_square_to_a_bend_a_stitch_apart() -> None:
     assert abs(steps - 1.0).max() < 0.2
     surface = Target.of(x, faces)
     assert ringed(surface, both, tip)[0] < 0.6 * ringed(surface, near, tip)[0]
-    assert min(ringed(surface, f, v)[0] for v, f in choose(surface, None, None)) < 0.7 * ringed(surface, near, tip)[0]
+
+
+@given(st.lists(st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4)), min_size=1, max_size=40))
+def test_rounds_lean_as_much_as_is_wanted_of_them_together(wanted: list[tuple[float, float]]) -> None:
+    bend = np.array(wanted)
+    leans = leaning(bend)
+    assert len(leans) == len(wanted) == len(heights(leans))
+    far = np.sqrt((np.cumsum(bend, axis=0) ** 2).sum(1))
+    first = next((k for k, lean in enumerate(leans) if lean is not None), len(leans))
+    assert (far[:first] < 0.6 * GENTLE + 1e-9).all()
+    if first < len(leans):  # towards where what is wanted so far adds up
+        lean = leans[first]
+        assert lean is not None
+        towards = bend[: first + 1].sum(0)
+        assert np.allclose(towards / far[first], [math.cos(2 * math.pi * lean[0]), math.sin(2 * math.pi * lean[0])])
+
+
+@pytest.mark.parametrize(
+    ("steep", "words"), [(False, "7 hdc, 12 sc, 5 hdc"), (True, "4 dc, 3 hdc, 12 sc, 3 hdc, 2 dc"), (None, "24 sc")]
+)
+def test_a_round_that_leans_is_taller_on_one_side_and_keeps_its_count(steep: bool | None, words: str) -> None:
+    one = arched(Round(("sc",) * 24), None if steep is None else (0.02, steep))
+    assert one.makes == one.takes == 24
+    part = Rounds("Neck", 6, (*(even(n, n + 6) for n in (6, 12, 18)), one, *(even(n, n - 6) for n in (24, 18, 12))))
+    text = printed([part], [], "Neck").text
+    assert words in text
+    assert build(parse(Text(text))).graph.kinds == build(pattern([part])).graph.kinds
+    mixed = arched(even(20, 24), (0.5, True))
+    assert (mixed.makes, mixed.takes, mixed.words.count("inc")) == (24, 20, 4)
+
+
+@pytest.mark.slow
+def test_a_part_bends_as_its_model_does_and_a_straight_one_stays() -> None:
+    x, faces = hooked(2.5, 12.0, 1.5)
+    tip, end = (int(v) for v in (x[:, 1].argmin(), x[:, 1].argmax()))
+    way = between(x, faces, *(distances(x, faces, np.array([v])) for v in (tip, end)))
+
+    surface = Target.of(x, faces)
+    assert min(ringed(surface, f, v)[0] for v, f in choose(surface, None, None)) < 1.2 * ringed(surface, way, tip)[0]
+
+    def lines_(high: Array) -> Fronts:
+        return fronts(x, faces, way, len(high), tip, None, high)
+
+    straight = lines_(np.ones(round(float(way.max())) - 1))
+    task = Task("Horn", straight, surface, np.array([0.0, 0.0, -1.0]), 1.0, "", CrochetParams(), (5.0, 5.0))
+    task = replace(task, lines=lines_)
+    first = tried(task, task.way.girths)
+    assert np.sqrt((needed(first) ** 2).sum(1)).max() > 0.1
+    on, best, history = bent(task, first, 8)
+    assert best.distance.mean < 0.6 * first.distance.mean < 0.6 * max(history[0], first.distance.mean) + 1e-9
+    assert any(word in ("hdc", "dc") for one in best.rounds.rounds for word in one.words)
+    assert len(on.way.lines) == len(on.leans) < len(straight.lines)
 
 
 @pytest.mark.slow

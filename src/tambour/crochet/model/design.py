@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.model import tips
 from tambour.crochet.model.assemble import Piece
+from tambour.crochet.model.bends import heights
 from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
 from tambour.crochet.model.coarse import coarse
 from tambour.crochet.model.cut import Limb
@@ -44,6 +46,8 @@ BEGINNINGS = 3
 """How many tips are tried in the simulation, each corrected once."""
 LARGE = 4000
 """Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
+TURNED = 8
+"""How many ways the twin of a part that bends is turned about itself to find how it belongs."""
 INSIDE = -0.3
 """Rounds that look so far inwards lie inside: of a cup, say."""
 LOST = 0.03
@@ -204,21 +208,24 @@ def _pieces(
     count = sum(first.counts)
     tries = max(2, round(TRIES * min(1.0, LARGE / max(count, 1))))
     with progress.stage("loop"):
-        best, history[said[0]] = _looped(task, first, tries)
+        task, best, history[said[0]] = _looped(task, first, tries)
     made = [Piece(best.rounds, best, task.target, faithful(task, best), (best.goal,), (best.lain,), (None,), ((0, 0),))]
     targets = [[task.target]]
     for title, group in zip(said[1:], groups):
         targets.append([Target.of(limb.vertices, limb.faces[limb.own]) for limb in group])
-        ways = [_way(limb, stitch, group[0].rim) for limb in group]
-        task = Task(title, ways[0], targets[-1][0], _hidden(ways[0]), params.plain_, "", params, stitch)
+        way = _way(group[0], stitch, group[0].rim)
+        led = [partial(_heightened, limb.vertices, limb.faces, limb.f, limb.tip, limb.rim) for limb in group]
+        task = Task(title, way, targets[-1][0], _hidden(way), params.plain_, "", params, stitch, lines=led[0])
         with progress.stage("rounds"):
             first = tried(task, task.way.girths)
         with progress.stage("loop"):
-            best, history[title] = _looped(task, first, tries)
+            task, best, history[title] = _looped(task, first, tries)
         goals, lain = [best.goal], [best.lain]
-        for way, own in zip(ways[1:], targets[-1][1:]):
-            goals.append(np.concatenate([way.tip[None], *laid(way, best.counts, _hidden(way))]))
-            lain.append(best.upon(own, goals[-1]))
+        high = heights(task.leans or (None,) * len(task.way.lines))
+        for way, own in zip([lines(high) for lines in led[1:]], targets[-1][1:]):
+            goal, lies = _twin(best, way, own, any(lean is not None for lean in task.leans))
+            goals.append(goal)
+            lain.append(lies)
         copies = replace(best.rounds, copies=len(group))
         bases = tuple(limb.base for limb in group)
         made.append(Piece(copies, best, task.target, faithful(task, best), tuple(goals), tuple(lain), bases, ()))
@@ -228,9 +235,9 @@ def _pieces(
     return made
 
 
-def _looped(task: Task, first: Tried, tries: int) -> tuple[Tried, list[float]]:
-    best, way = looped(task, first, tries)
-    return best, [round(v, 4) for v in way]
+def _looped(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    task, best, way = looped(task, first, tries)
+    return task, best, [round(v, 4) for v in way]
 
 
 def _first(
@@ -247,6 +254,7 @@ def _first(
         up = "" if side == 1 and ahead[1] < 0 else "start" if side == 1 else "side"
         seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
         task = Task(name, way, target, seam, params.plain_, up, params, stitch)
+        task = replace(task, lines=partial(_heightened, x, faces, f, tip, None))
         looks = [tips.inward(target, line) for line in way.lines]
         inside = [k + 1 for k, value in enumerate(looks) if value < INSIDE]
         if len(inside) > 2 and inside[0] > 3:
@@ -268,11 +276,31 @@ def _way(limb: Limb, stitch: tuple[float, float], long: float) -> Fronts:
     return fronts(limb.vertices, limb.faces, limb.f, rows, limb.tip, limb.rim)
 
 
+def _heightened(vertices: Array, faces: Array, f: Array, tip: int, rim: float | None, high: Array) -> Fronts:
+    """The lines of rounds as ``high`` (R,) as is said along the way ``f`` (V,)."""
+    return fronts(vertices, faces, f, len(high), tip, rim, high)
+
+
 def _hidden(way: Fronts) -> Array:
     """Where the seam of a limb is least seen: behind it, below one that points ahead."""
     axis = way.end - way.tip
     ahead = abs(float(axis[2])) > 0.8 * float(np.sqrt((axis**2).sum()))
     return np.array([0.0, -1.0, 0.0]) if ahead else np.array([0.0, 0.0, -1.0])
+
+
+def _twin(best: Tried, way: Fronts, target: Target, bends: bool) -> tuple[Array, Array]:
+    """Where the nodes (N, 3) of another copy belong, and where they come to lie: with its seam hidden, or, of one that ``bends``, turned
+    about itself as is best, for its twin may bend to the other side."""
+    found = []
+    seam, axis = _hidden(way), way.end - way.tip
+    axis = axis / max(float(np.sqrt((axis**2).sum())), 1e-9)
+    for angle in 2.0 * math.pi * np.arange(TURNED if bends else 1) / TURNED:
+        cos, sin = math.cos(angle), math.sin(angle)
+        to = cos * seam + sin * np.cross(axis, seam) + (1.0 - cos) * (axis * seam).sum() * axis
+        goal = np.concatenate([way.tip[None], *laid(way, best.counts, to)])
+        lies, off = best.upon(target, goal)
+        found.append((off, goal, lies))
+    return min(found, key=lambda one: one[0])[1:]
 
 
 def _owner(limb: Limb, k: int, targets: list[list[Target]], first: int) -> tuple[int, int]:

@@ -140,6 +140,20 @@ def distance(
     )
 
 
+def facing_points(target: Target, x: Array, faces: Array) -> tuple[Array, Array, Array, Array]:
+    """Where a made surface and ``target`` face each other, seen from either: points (P, 3) of the made one, the node (P,) that each is
+    at, and the points (P, 3) of the target nearest to them with their normals."""
+    face, uv, _ = nearest(target.tree, x)
+    seen, at, _ = nearest(tree(x, faces), target.points)
+    own, _, _ = nearest(target.tree, target.points)
+    return (
+        np.concatenate([x, _point(x[faces[seen]], at)]),
+        np.concatenate([np.arange(len(x)), faces[seen, 0]]),
+        np.concatenate([_point(target.vertices[target.faces[face]], uv), target.points]),
+        np.concatenate([target.normals[face], target.normals[own]]),
+    )
+
+
 def outside(target: Target, points: Array) -> Array:
     """How far (N,) points (N, 3) lie outside of ``target``; inside is negative."""
     face, uv, far = nearest(target.tree, points)

@@ -34,18 +34,21 @@ class Fronts:
         return np.array([girth(line) for line in self.lines])
 
 
-def fronts(vertices: Array, faces: Array, f: Array, rows: int, tip: int, rim: float | None = None) -> Fronts:
-    """The lines of ``rows`` rounds where the way ``f`` (V,) from vertex ``tip`` rises evenly.
+def fronts(
+    vertices: Array, faces: Array, f: Array, rows: int, tip: int, rim: float | None = None, heights: Array | None = None
+) -> Fronts:
+    """The lines of ``rows`` rounds where the way ``f`` (V,) from vertex ``tip`` rises evenly, or as their ``heights`` (rows,) do.
 
     rim : the value at which the part ends open; None: it ends where f is largest, one row after its last round
     """
     far = float(f.max()) if rim is None else rim
-    step = far / (rows + 1 if rim is None else rows)
+    upto = np.cumsum(np.ones(rows) if heights is None else heights)
+    step = far / (upto[-1] + 1.0 if rim is None else upto[-1])
     made: list[Array] = []
     lost = total = 0.0
     middle = vertices[tip]
     for k in range(1, rows + 1):
-        value = step * k if rim is None or k < rows else far - 0.02 * step
+        value = step * float(upto[k - 1]) if rim is None or k < rows else far - 0.02 * step
         found = lines(vertices, faces, f, value)
         if not found:
             break

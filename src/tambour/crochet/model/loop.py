@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.model import readable, threads
+from tambour.crochet.model import bends, readable, threads
 from tambour.crochet.model.distance import Distance, Target, distance, outside
 from tambour.crochet.model.fronts import DRAWN, Fronts, laid
 from tambour.crochet.model.rounds import Rounds, Thread
@@ -26,6 +27,9 @@ STEP, SLOWER = 0.8, 0.87
 repeats make every try a little better or worse than its lengths are, and small steps about the same place even that out."""
 GAIN = 0.004
 """An improvement of the mean distance by less than this, in stitches, is none."""
+BENT, IDLE = 5, 3
+"""How often a part's bends are corrected, and the widths of its rounds after each; and after how many times in a row that bring nothing
+that ends."""
 BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 4
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; no more threads than so many are pulled at once."""
@@ -55,10 +59,10 @@ class Tried:
         """Where its nodes (N, 3) are once it lies upon its target as well as it can."""
         return turned(self.worked.x, self.distance.turn) + self.distance.shift
 
-    def upon(self, target: Target, goal: Array) -> Array:
-        """The same upon another target, where its nodes belong at ``goal`` (N, 3)."""
+    def upon(self, target: Target, goal: Array) -> tuple[Array, float]:
+        """The same upon another target, where its nodes belong at ``goal`` (N, 3), and how far it lies from that on the average."""
         how = distance(target, self.worked.x, self.worked.graph.faces, fit(self.worked.x, goal, np.ones(len(goal))))
-        return turned(self.worked.x, how.turn) + how.shift
+        return turned(self.worked.x, how.turn) + how.shift, how.mean
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -66,6 +70,7 @@ class Task:
     """A part to be found rounds for. All lengths in stitches, the model's frame.
 
     way : the lines of its rounds; target : its surface; seam : (3,) where its rounds begin; plain : 0 to 1; hollow : its rounds that lie inside
+    lines : the way with rounds of other heights (R,), None where they cannot be; leans : where rounds are taller on one side
     """
 
     name: str
@@ -78,13 +83,15 @@ class Task:
     stitch: tuple[float, float]
     stuffing: str = ""
     hollow: tuple[int, int] = (0, 0)
+    lines: Callable[[Array], Fronts] | None = None
+    leans: tuple[bends.Lean | None, ...] = ()
 
 
 def drafted(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> tuple[Rounds, list[int], Array]:
     """Rounds as long as ``wanted`` (R,): the part, its counts, and where every stitch belongs (N, 3)."""
     made = readable.sparing(list(wanted), task.plain)
     points = laid(task.way, made, task.seam)
-    rounds = readable.rounds(task.way.lines, points, task.plain)
+    rounds = readable.rounds(task.way.lines, points, task.plain, task.leans)
     closed = task.way.closed and made[-1] <= DRAWN
     tip = [task.way.end[None]] if closed else []
     goal = np.concatenate([task.way.tip[None], *points, *tip])
@@ -112,9 +119,12 @@ def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tr
     return Tried(part, made, goal, wanted, worked, lain, holds, task.target)
 
 
-def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Tried, list[float]]:
-    """The best rounds that corrections lead to, and the mean distances on the way: of counts first, then of threads as well."""
+def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Task, Tried, list[float]]:
+    """The best rounds that corrections lead to, the task with the bends of these, and the mean distances on the way: of counts first,
+    then of bends, then of threads as well."""
     best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
+    task, best, more = bent(task, best, tries)
+    history += more
     stuffed = (best.rounds.stuffing or task.params.stuffing) != "none"
     most = threads.most(sum(best.counts), task.plain) if stuffed else 0
     bare, tighter = best, threads.FIRST
@@ -131,7 +141,41 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
             break
         else:  # fewer at once, and no tighter than they belong
             add, tighter = add // 2, 0.0
-    return (best if task.plain <= 0.0 or threads.worth(bare, best) else bare), history
+    return task, (best if task.plain <= 0.0 or threads.worth(bare, best) else bare), history
+
+
+def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    """The task, and the best rounds of it, with rounds that are taller on one side where the part is to bend, if that brings it nearer."""
+    history: list[float] = []
+    if task.lines is None or task.hollow[0]:
+        return task, best, history
+    was, now, on = (task, best), best, task
+    bend, step, idle = np.zeros((len(best.counts), 2)), STEP, 0
+    for _ in range(min(BENT, tries)):
+        bend = bend + step * bends.needed(now)
+        leans = bends.leaning(bend)
+        if not any(lean is not None for lean in leans):
+            break
+        upto = np.cumsum(bends.heights(leans))
+        rows = max(3, round(len(task.way.lines) * len(leans) / float(upto[-1])))
+        at, own = (np.arange(rows) + 0.5) / rows, (upto - 0.5) / upto[-1]
+        bend = np.column_stack([np.interp(at, own, bend[:, k]) for k in range(2)])
+        leans = bends.leaning(bend)
+        way = task.lines(bends.heights(leans))
+        many = len(way.lines)  # a flat end has some more
+        leans, bend = (leans + [None] * many)[:many], np.concatenate([bend, np.zeros((many, 2))])[:many]
+        wider = np.interp((np.arange(many) + 0.5) / many, own, now.wanted / on.way.girths)
+        on = replace(task, way=way, leans=tuple(leans))
+        now = tried(on, wider * way.girths)
+        again = tried(on, corrected(on, now, step))
+        history += [now.distance.mean, again.distance.mean]
+        now = again if again.distance.mean < now.distance.mean else now
+        idle = 0 if now.distance.mean < was[1].distance.mean - GAIN else idle + 1
+        was = was if idle else (on, now)
+        if idle == IDLE:
+            break
+        step *= SLOWER
+    return *was, history
 
 
 def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:

@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.model.bends import Lean, arched
 from tambour.crochet.model.cheapest import cheapest
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.fronts import beside
@@ -99,8 +100,11 @@ def _sparing(wanted: Sequence[float], price: float, hard: float) -> list[int]:
     return cheapest(goal, _tries(goal, SLACK), own, change)
 
 
-def rounds(lines: Sequence[Array], points: Sequence[Array], plain: float) -> tuple[Round, ...]:
-    """The rounds over the first one, whose stitches lie at ``points`` (n, 3), even along ``lines``.
+def rounds(
+    lines: Sequence[Array], points: Sequence[Array], plain: float, leans: Sequence[Lean | None] = ()
+) -> tuple[Round, ...]:
+    """The rounds over the first one, whose stitches lie at ``points`` (n, 3), even along ``lines``; those that are taller on one side
+    where ``leans`` of all rounds says so (:mod:`tambour.crochet.model.bends`).
 
     Increases and decreases lie where the shape wants them, at its corners and outside of its bends, in as many rounds as
     leave a share EASY (at half of ``plain``) of all of them plain or a repeat, and not more than KINDS different ones: in
@@ -112,10 +116,10 @@ def rounds(lines: Sequence[Array], points: Sequence[Array], plain: float) -> tup
     known: dict[int, tuple[Round, ...]] = {}
     while low < high:  # the least gain that leaves rounds which read easily
         middle = (low + high) // 2
-        made = known[middle] = _followed(lines, points, GAINS[middle])
+        made = known[middle] = _followed(lines, points, GAINS[middle], leans)
         good = sum(map(easy, made)) >= wanted * len(made) and len({kind(one) for one in made}) <= most
         low, high = (low, middle) if good else (middle + 1, high)
-    return known[low] if low in known else _followed(lines, points, GAINS[low])
+    return known[low] if low in known else _followed(lines, points, GAINS[low], leans)
 
 
 def kind(one: Round) -> tuple[str, ...]:
@@ -123,7 +127,9 @@ def kind(one: Round) -> tuple[str, ...]:
     return ("sc",) if set(one.words) == {"sc"} else one.words
 
 
-def _followed(lines: Sequence[Array], points: Sequence[Array], least: float) -> tuple[Round, ...]:
+def _followed(
+    lines: Sequence[Array], points: Sequence[Array], least: float, leans: Sequence[Lean | None]
+) -> tuple[Round, ...]:
     """Rounds that follow the shape where that gains more than ``least``, square stitches for every stitch."""
     at, made = points[0], []
     for line, above in zip(lines[1:], points[1:]):
@@ -138,7 +144,7 @@ def _followed(lines: Sequence[Array], points: Sequence[Array], least: float) -> 
         else:
             made.append(Round(tries[j]))
             at = _carried(tries[j], below)
-    return tuple(made)
+    return tuple(arched(one, lean) for one, lean in zip(made, leans[1:])) if leans else tuple(made)
 
 
 def _carried(words: Sequence[str], below: Array) -> Array:

@@ -10,7 +10,7 @@ from tambour.core.errors import Text
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.language.tree import Pattern
 
-WORDS: Final = {"sc": (1, 1), "inc": (1, 2), "dec": (2, 1), "inc3": (1, 3), "dec3": (3, 1)}
+WORDS: Final = {"sc": (1, 1), "hdc": (1, 1), "dc": (1, 1), "inc": (1, 2), "dec": (2, 1), "inc3": (1, 3), "dec3": (3, 1)}
 """A word → the stitches of the round below that it takes up, and those that it makes."""
 
 
