@@ -51,8 +51,8 @@ def notes(of: Book, part: str) -> str:
 
 def test_how_ends_are_sewn_on_is_said_by_kind() -> None:
     assert "lies flat and is sewn on along its edge" in notes(shop("willa"), "BELLY")
-    assert "along its closed edge" in notes(shop("willa"), "SIDE FINS")  # closed by stitches that are no round
-    assert "lies flat" in notes(shop("toadstool"), "SPOTS") and "open end" not in notes(shop("toadstool"), "SPOTS")
+    assert "along their closed edges" in notes(shop("willa"), "SIDE FINS")  # closed by stitches that are no round
+    assert "They lie flat" in notes(shop("toadstool"), "SPOTS") and "open end" not in notes(shop("toadstool"), "SPOTS")
     assert "sewn on as a ring" in notes(shop("pickles"), "SNOUT")
     assert "lies flat and is sewn on along its edge" in notes(shop("toadstool"), "DOOR")
     odd = notes(shop("pickles"), "FRONT LEGS")  # nine stitches
@@ -63,39 +63,63 @@ def test_how_ends_are_sewn_on_is_said_by_kind() -> None:
 def test_what_the_pictures_took_is_said_in_rounds_and_stitches() -> None:
     ears = notes(shop("pickles"), "EARS")
     assert (
-        "the edge from round 3 to round" in ears and "at the side" in ears and "7 stitches counted over the top" in ears
+        "The edge from round 3 to round" in ears and "at the side" in ears and "7 stitches counted over the top" in ears
     )
     assert "18 stitches to 18" in notes(shop("pickles"), "HEAD") and "24 stitches to 24" in notes(
         shop("toadstool"), "ROOF"
     )
     assert "Row 1 at the bottom" in notes(shop("toadstool"), "DOOR")
-    assert "side by side on the flat end, 3 stitches each" in notes(shop("willa"), "TAIL FLUKES")
+    assert "Side by side on the flat end, 3 stitches each" in notes(shop("willa"), "TAIL FLUKES")
     assert "underneath, where the rounds begin" in notes(shop("willa"), "BELLY")
     assert "6 stitches between the two" in notes(shop("pickles"), "BACK LEGS")  # as she says
-    legs = notes(shop("pickles"), "FRONT LEGS")
+    legs = notes(shop("pickles"), "FRONT LEGS").lower()
     assert "along round 12, on stitches 2 to" in legs and "2 stitches between the two" in legs
-    assert "from round 6 to round 13, Row 1 at the bottom" in notes(shop("toadstool"), "DOOR")  # eight rows
-    assert "its middle at round 12, 5 stitches from the middle of the front" in notes(shop("toadstool"), "WINDOWS")
+    assert "From round 6 to round 13, Row 1 at the bottom" in notes(shop("toadstool"), "DOOR")  # eight rows
+    assert "Its middle at round 12, 5 stitches from the middle of the front" in notes(shop("toadstool"), "WINDOWS")
     assert "lengthwise, its middle between rounds 9 and 10" in notes(shop("willa"), "SIDE FINS")
     knot = " ".join(
         shop("toadstool").taken([r for r in shop("toadstool").piece.built.pattern.finish if hasattr(r, "motif")])
     )
-    assert knot == "We took: row 4, stitch 3."
+    assert knot == "Row 4, stitch 3."
 
 
 def test_ours_stand_next_to_her_sentence_and_are_known_as_ours() -> None:
     body = rows(shop("willa"), "BODY")
     words = [said for said, _ in body]
     eyes = next(k for k, said in enumerate(words) if "safety eyes" in said)
-    assert body[eyes + 1] == ("We took: each 6 stitches from the middle of the top.", True) and not body[eyes][1]
+    assert body[eyes + 1] == ("Each 6 stitches from the middle of the top.", True) and not body[eyes][1]
     assert body[-1] == (
-        "We took: the top pressed onto the underside, so that the end lies level, 6 stitches wide.",
+        "The top pressed onto the underside, so that the end lies level, 6 stitches wide.",
         True,
     )
     assert rows(shop("pickles"), "HEAD")[0] == ("Worked from the top down.", True)
     assert rows(shop("pickles"), "BODY")[0] == ("Worked from the bottom up.", True)
     said = [said for said, ours in rows(shop("pickles"), "HEAD") if ours]
     assert any("4 stitches from the middle of the front" in one for one in said)
+
+
+def test_what_nobody_says_of_the_stuffing_and_of_colours_is_noted_once() -> None:
+    cat = (SHOP / "cat.txt").read_text(encoding="utf-8")
+    assert not any("in the pictures" in said for said, _ in rows(book(cat), "MUZZLE"))  # she says it
+    for line in ("Stuff lightly. Fasten off, leaving", "Fill it a little. Fasten off, leaving"):
+        silent = cat.replace(
+            "Rnd 3: sc around (12)\nStuff lightly. Fasten off, leaving", f"Rnd 3: sc around (12)\n{line}"
+        )
+        assert ("Stuffed, in the pictures.", True) not in rows(book(silent), "MUZZLE")
+    silent = cat.replace("Rnd 3: sc around (12)\nStuff lightly. ", "Rnd 3: sc around (12)\n")
+    assert rows(book(silent), "MUZZLE")[-1] == ("Stuffed, in the pictures.", True)
+    striped = book(
+        "BALL\nWith red.\nRnd 1: 6 sc in MR (6)\nRnd 2: 3 sc, change to blue, 3 sc (6)\nRnd 3: sc around (6)\n"
+    )
+    assert "change text" in _ways(striped)
+    assert (
+        max(book(cat).accent) - min(book(cat).accent) < 12 < max(shop("mushroom-house").accent)
+    )  # notes are grey, heads are ink
+
+
+def test_a_chain_is_not_turned_before_its_first_row() -> None:
+    said = [said for said, _ in rows(shop("mushroom-house"), "DOOR")]
+    assert "Use brown, 6 ch." in said and any("from the 2nd ch" in one for one in said)
 
 
 def test_hands_are_told_what_they_must_know() -> None:
@@ -107,7 +131,7 @@ def test_hands_are_told_what_they_must_know() -> None:
         "spiral",
         "turning text",
     ]  # rings that end in a slip stitch are no joined rounds
-    assert "change text" in _ways(shop("pickles")) and "turning text" not in _ways(shop("pickles"))
+    assert not {"change text", "turning text"} & set(_ways(shop("pickles")))  # where it changes a line says how
     assert "change text" not in _ways(shop("willa"))  # parts of one colour each
     joined = book(
         "BALL\nRnd 1: 6 sc in MR, join (6)\n"

@@ -141,14 +141,14 @@ def test_what_pages_and_tables_say_besides_is_no_sentence_of_hers(junk: str) -> 
         ("Sew the arms to the sides of the body at Rnd 9.", "round 9", "round 8"),
         ("Sew the arms to the sides of the body between rounds 8 and 9.", "on stitches", "round "),
         ("Sew the arms on at round 11, on either side of the body.", "round 11", "round 10"),
-        ("Sew the legs to the front of the body over rounds 14 to 19.", "from round 14 to round 19", "round 13"),
+        ("Sew the legs to the front of the body over rounds 14 to 19.", "counted on round 16", "from round"),
     ],
 )
 def test_ours_name_the_rounds_that_she_names(sewn: str, said: str, never: str) -> None:
     of = book(BEAR.format(sewn=sewn))
     finish = of.piece.built.pattern.finish
     mine = [r for r in finish if of.words_of(r) and of.words_of(r).rstrip(".") == sewn.rstrip(".")]
-    told = " ".join(Taken(of.piece, of.own)(mine))
+    told = " ".join(Taken(of.piece, of.own)(mine)).lower()
     assert mine and said in told and never not in told, told
 
 

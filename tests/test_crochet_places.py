@@ -490,6 +490,51 @@ def test_a_yarn_is_dyed_as_any_word_of_its_name_tells(name: str, near: tuple[int
 SHOP = Path(__file__).parent / "data" / "shop"
 
 
+def _whale(sentence, eyes="between rounds 9 and 10 of the body, 16 stitches apart"):
+    text = (SHOP / "whale.txt").read_text(encoding="utf-8").split("ASSEMBLY\n")[0]
+    said = (
+        f"Insert the safety eyes {eyes}.\nSew the tail to the back of the body between rounds 9 and 12.\n{sentence}\n"
+    )
+    return read_printed(Text(f"{text}ASSEMBLY\n{said}", "whale.txt"))
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    ["Sew the flukes to the tip of the tail.", "Sew a fluke on each side of the tip of the tail.", "Attach both flukes at the tail tip, side by side."],
+)  # fmt: skip
+def test_flukes_lie_left_and_right_at_the_tip_of_a_tail_that_turns(sentence):
+    """Round 8 of the tail is sewn on; the stitches of round 2 that stand on its sides are others than those of the layout."""
+    pattern = _whale(sentence)
+    two = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("FLUKES")]
+    assert [r.spot.part for r in two] == ["TAIL", "TAIL"] and {r.spot.round for r in two} == {2.0}
+    assert sorted(r.spot.stitch for r in two) == [2.0, 5.0]
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    ["Sew the fins to the sides of the body between rounds 8 and 9.", "Attach a fin to each side of the body at round 9.", "Fins: one on either side of the body, rounds 8-9."],
+)  # fmt: skip
+def test_fins_whose_stitch_is_not_said_leave_the_eyes_free(sentence):
+    pattern = _whale(sentence)
+    fins = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("FINS")]
+    front = 1.0 + Spots(build(pattern)).front(9)
+    off = [abs((r.spot.stitch - front + 18) % 36 - 18) for r in fins]
+    assert len(off) == 2 and min(off) > 8.0 + 2.5 and max(off) < 16.0, (
+        off
+    )  # half a fin behind the eye, and not at the back
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    ["With black yarn, embroider whiskers on the cheeks.", "Embroider three whiskers on each cheek.", "Add whiskers beside the muzzle in black."],
+)  # fmt: skip
+def test_whiskers_stay_below_the_eyes(sentence):
+    cat = (SHOP / "cat.txt").read_text(encoding="utf-8")
+    pattern = read_printed(Text(f"{cat.split('With cream yarn, embroider')[0]}{sentence}\n", "cat.txt"))
+    lines = [r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "whiskers"]
+    assert len(lines) == 6 and min(s.round for r in lines for s in r.spots) > 10.2  # the eyes are at 9.5
+
+
 @pytest.mark.parametrize("name", ["whale", "cat", "mushroom-house"])
 def test_a_text_as_for_a_shop_is_placed_whole_or_told(name: str) -> None:
     """Every sentence of the assembly puts something somewhere, every part is on the toy, and the toy stands on its feet."""

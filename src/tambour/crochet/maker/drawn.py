@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -13,6 +14,8 @@ from tambour.crochet.language.finishes import Embroidery
 if TYPE_CHECKING:
     from tambour.crochet.maker.taken import Taken
 
+_FEW: Final = 4
+"""A part of so many rounds is small: a place on it is seen."""
 _FACES: Final = (
     "smile",
     "mouth",
@@ -46,17 +49,30 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
     if max(rounds) - min(rounds) < 1.0:
         a = b = max(1, round(float(np.mean(rounds)) - 0.01))
     over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)
-    if len(taken.built.graph.parts) > 1:
+    if taken.rounds(first) == (a, b) or sum(r.part == part and r.number > 0 for r in taken.built.rounds) <= _FEW:
+        over = ""  # she says it, or a snout is too small to be counted
+    elif len(taken.built.graph.parts) > 1:
         over += f" ({taken.built.pattern.parts[taken.built.parts[part].section].name})"
     long = [float(np.sqrt(((p[-1] - p[0]) ** 2).sum())) for p in _each(alike, points)]
     if first.motif == "whiskers":
         begins = [abs(taken.off(r.spots[0])[0]) for r in alike]
         from_ = taken.from_middle(first.spots[0].part, [float(np.mean(begins))], taken.off(first.spots[0])[1])
         return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
-    if first.motif not in _FACES or len(alike) > 1:
+    if first.motif not in _FACES:
         return [over]
-    wide, high = (max(1, round(float(v))) for v in np.ptp(points, axis=0)[:2])
-    return [own["took size" if high > 2 else "took wide"].format(w=wide, h=high), over]
+    if len(alike) == 2 and first.motif not in ("eyes", "claws"):
+        apart = [float(np.mean([abs(taken.off(s)[0]) for s in r.spots])) for r in alike]
+        where = taken.from_middle(first.spots[0].part, [float(np.mean(apart))], taken.off(first.spots[0])[1])
+        points = _each([first], points)[0]
+        return [own["each"].format(what=_size(own, points)), over, where]
+    return [_size(own, points), over] if len(alike) == 1 else [over]
+
+
+def _size(own: Mapping[str, str], points: Array) -> str:
+    """How large what goes through points is."""
+    across = points[:, None, [0, 2]] - points[:, [0, 2]]
+    wide, high = (max(1, round(float(v))) for v in (np.sqrt((across**2).sum(2)).max(), np.ptp(points[:, 1])))
+    return own["took size" if high > 2 else "took wide"].format(w=wide, h=high)
 
 
 def _each(alike: list[Embroidery], points: Array) -> list[Array]:

@@ -29,6 +29,8 @@ _FLAT: Final = 0.25
 """An end is sewn flat where for so many of its stitches a pair is sewn to one another; the outermost are neighbours anyway."""
 _TOUCHES: Final = 1.2
 """Parts that come so near to one another touch, in stitches."""
+_NARROW: Final = 9
+"""On a round of so few stitches no place is counted."""
 _LEVEL: Final = 2
 """An edge over no more rounds than this runs along a round."""
 
@@ -104,7 +106,8 @@ class Taken:
     def _said(self, words: list[str], of: str = "") -> list[str]:
         words = [w for w in words if w]
         what = ", ".join(words)
-        return [self.own["took"].format(what=f"{of}: {what}" if of else what)] if what else []
+        what = f"{of}: {what}" if of else what
+        return [f"{what[0].upper()}{what[1:]}."] if what else []
 
     def _called(self, motif: str) -> str:
         key = {"eyes": "embroidered eyes"}.get(motif, motif)
@@ -143,13 +146,15 @@ class Taken:
         low = round(float(np.mean([s[:, 0].min() for s in seams])))
         high = round(float(np.mean([s[:, 0].max() for s in seams])))
         turn = min(first.across % 180.0, -first.across % 180.0)
-        hers = self._rounds(first)
+        hers = self.rounds(first)
         if hers and hers[1] - hers[0] > 1:
             low, high = hers  # the numbers are those that she says
         if end.ring:
             said = [
                 self._at(sum(hers) / 2.0)
                 if hers and hers[1] - hers[0] <= 1
+                else ""  # she says it
+                if hers
                 else own["took ring"].format(a=low, b=high)
                 if low < high
                 else own["took round"].format(n=low),
@@ -157,7 +162,7 @@ class Taken:
             ]
             near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
             if len(alike) == 2 and np.isfinite(near).all():
-                said.append(own["took gap"].format(n=round(float(sum(near)))))
+                said.append(own["took gap on"].format(n=round(float(sum(near))), r=round(first.spot.round)))
         elif high - low <= _LEVEL and turn < 60.0:
             level = round((low + high) / 2)
             said = self._along(first, seams, level, len(alike), self._level(hers, level))
@@ -196,15 +201,13 @@ class Taken:
 
     def _laid(self, record: Placed, part: int) -> list[str]:
         """How far a flat piece reaches: of one in rows from its first to its last, of a disc its middle."""
-        level = record.spot.round
+        level, hers = record.spot.round, self.rounds(record)
         if self.spots.in_rows[part]:
             rows = sum(r.part == part and r.number > 0 and not r.aside for r in self.built.rounds)
             low = round(level - 0.5 * rows)
-            high, hers = low + rows - 1, self._rounds(record)
-            if hers and hers[1] - hers[0] > 1:
-                low, high = hers
-            return [self.own["took from row"].format(a=low, b=high), self._row_one(part)]
-        return [self._at(level)]
+            named = self.own["took from row"].format(a=low, b=low + rows - 1)
+            return ["" if hers and hers[1] - hers[0] > 1 else named, self._row_one(part)]
+        return ["" if hers and hers[1] - hers[0] <= 1 else self._at(level)]
 
     def _at(self, level: float) -> str:
         """The middle of something on its round, or between two."""
@@ -226,6 +229,8 @@ class Taken:
         named : the number that the round has in her sentence; 0 where she says it to be between two
         """
         count = self._count(self.spots.parts[first.spot.part], level)
+        if count <= _NARROW and len(self.spots.place(first.spot).nodes) and copies > 1:
+            return []  # the tip of a tail: nobody counts there
         lone = any(s[:, 1].min() * s[:, 1].max() < 0.0 and abs(s[:, 1]).max() < count / 4 for s in seams)
         if lone or not count:
             return [
@@ -263,10 +268,11 @@ class Taken:
             said.append(own["took crown"].format(n=apart[1]))
         return said
 
-    def _rounds(self, record: Placed) -> tuple[int, ...]:
+    def rounds(self, record: Placed | Embroidery) -> tuple[int, ...]:
+        """The rounds that her sentence of a record names."""
         return rounds_named(self._words(record), self.built.pattern.terms)
 
-    def _words(self, record: Placed) -> str:
+    def _words(self, record: Placed | Embroidery) -> str:
         return self.built.pattern.text.text[record.span.start : record.span.end]
 
     def _seam(self, record: Placed) -> Array:
@@ -349,7 +355,7 @@ class Taken:
         if off >= count / 2 - 1.0:
             return self.own["took under" if lies else "behind"]
         if abs(off - count / 4) <= _SIDE * count:
-            return self.own["at side"]
+            return "" if self.own["at side"].split()[-1] in self._words(record).lower() else self.own["at side"]
         said = self.from_middle(record.spot.part, [off], count)
         return said if plain else self.own["its middle"].format(what=said)
 

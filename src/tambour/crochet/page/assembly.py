@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.core.graph import SEWN
 from tambour.core.picture import Picture
 from tambour.crochet.finish.sewing import end_of, shut
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.maker.size import skin
-from tambour.crochet.page.angle import angle, called, steep
+from tambour.crochet.page.angle import angle, called
 from tambour.crochet.page.begin import paragraph, photo
 from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
 from tambour.crochet.page.flow import Atom, Chunk
@@ -32,6 +33,8 @@ _CARE = 44.0
 """Room that the words of care take below them, mm."""
 _LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
+_SMALL = 0.65
+"""What a step is about is shown from near where it is so small beside all that is there."""
 _GAP = 4.0
 """Between pictures, mm."""
 
@@ -51,7 +54,7 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):
         view = angle(piece, step.parts, step.fresh, " ".join(said))
-        near = frame if not steep(view) else skin(piece, np.flatnonzero(np.isin(piece.built.graph.part, step.parts)))
+        near = _near(book, step) if step.fresh else frame
         picture = of_step(book.album, step, near, view, round(width * DOTS), round(high * DOTS))
         names = _names(book, step)
         if step.fresh and (where := called(view)):
@@ -70,9 +73,17 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
             for note in notes:
                 lines += paragraph(note, width, SMALL, SOFT, 0.9)
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
-    if any(step.fresh for step in found):
-        chunks[0].atoms[:0] = paragraph(book.own["new"], width, SMALL, SOFT)  # of all steps: it stands above them
     return _with_hers(book, found, chunks)
+
+
+def _near(book: Book, step: Step) -> Array:
+    """What fills a step's picture: what is new and what it is sewn to, where that is small beside all that is there already."""
+    graph = book.piece.built.graph
+    pairs = graph.part[graph.edges[graph.edge_kind == SEWN]]
+    beside = pairs[np.isin(pairs, step.fresh).any(1)].ravel()
+    about = sorted({*step.fresh, *(int(k) for k in beside if k in step.parts)})
+    there, near = (skin(book.piece, np.flatnonzero(np.isin(graph.part, parts))) for parts in (step.parts, about))
+    return near if np.ptp(near, axis=0).max() <= _SMALL * np.ptp(there, axis=0).max() else there
 
 
 def _with_hers(book: Book, found: list[Step], chunks: list[Chunk]) -> list[Chunk]:
@@ -112,10 +123,11 @@ def _held(book: Book, step: Step) -> list[str]:
         if spots.in_rows[spots.parts[record.part]] and not end.laid:
             continue
         open_ = len(spots.sewn_rim(spots.parts[record.part])) > 0
+        many = "s" if sum(isinstance(r, Placed) for r in records) > 1 else ""
         if end.laid:
-            made[book.own["sewn edge"]] = None
+            made[book.own[f"sewn edge{many}"]] = None
         elif shut(spots, end.nodes) or _closed(book, record):
-            made[book.own["sewn shut"]] = None
+            made[book.own[f"sewn shut{many}"]] = None
         elif open_ and end.ring and record.spot.stitch is not None:
             made[book.own["sewn ring"]] = None
         elif open_ and len(end.pinched):
@@ -213,7 +225,7 @@ def finished(book: Book) -> None:
         return
     bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
     long = any(part.up == "side" for part in book.piece.built.pattern.parts)
-    views = ("front", "right", "top", "below") if long else ("front", "right", "back", "below")
+    views = ("front", "right", "top", "below") if long else ("front", "right", "back", "top")
     width = (wide - _GAP * (len(views) - 1)) / len(views)
     high = 1.2 * width
     sheet, y = book.below

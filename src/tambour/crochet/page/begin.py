@@ -42,6 +42,10 @@ _LISTED: Final = {
 _SPIRAL: Final = re.compile(r"\bspiral|\bcontinuous rounds|\b(?:do not|don.t) join", re.IGNORECASE)
 _CHANGING: Final = re.compile(r"\bto chang(?:e|ing) colou?r|\bwhen changing colou?r", re.IGNORECASE)
 _INVISIBLE: Final = re.compile(r"\binv(?:isible|is|\.)?[ -]?dec(?:rease)?", re.IGNORECASE)
+_COUNTED: Final = re.compile(
+    r"\b(?:pairs?|one|two|three|four|six|[1-9]\d?(?!\s*-?\s*mm))\b(?!\s*-?\s*mm)[^.;\n]{0,25}\beyes?\b"
+)
+"""How a list of materials says how many eyes are needed."""
 _HOWS: Final = ("french knot", "satin stitch", "backstitch", "whipstitch")
 LEFTOVER = 5.0
 """Grams of yarn for which nobody buys a skein."""
@@ -132,11 +136,15 @@ def begin(book: Book) -> None:
         notes += paragraph(own[key], width, space=1.4)
     if pattern.finish:
         lying = any(part.up == "side" for part in pattern.parts)
-        notes += paragraph(own["below text" if lying else "front text"], width, space=1.4)
+        said_ = [own["below text" if lying else "front text"]]
+        if book.hers is None or book.code not in ("us", "uk") or "apart" in pattern.text.text.lower():
+            said_.append(own["apart below" if lying else "apart text"])
+        notes += paragraph(" ".join(said_), width, space=1.4)
     if any(isinstance(record, Placed) for record in pattern.finish):
         notes += paragraph(own["tail text"], width, space=1.4)
+        notes += paragraph(own["new"], width, space=1.4)
         if book.hers is not None:
-            notes += paragraph(own["ours text"], width, BODY, SOFT, 1.4)
+            notes += paragraph(own["ours text"], width, SMALL, SOFT, 1.4)
     chunks += together(heading(book, own["notes"], width), notes, own["notes"])
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
@@ -153,7 +161,8 @@ def _ways(book: Book) -> list[str]:
     changed = False
     for block in book.said.blocks:
         begun = [k for k, row in enumerate(block.lines) if row.label]
-        changed = changed or any(row.colors for row in block.lines[begun[0] + 1 :]) if begun else changed
+        # Where a line says the change alone, how it is done stands there.
+        changed = changed or any(row.colors and row.label for row in block.lines[begun[0] + 1 :]) if begun else changed
     intro = " ".join(book.hers.intro) if book.hers is not None else ""
     spirals = spirals and not _SPIRAL.search(intro)  # she says it herself
     changed = changed and not _CHANGING.search(intro)
@@ -256,7 +265,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
     if "hook" not in book.piece.built.pattern.stated:
         other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
     listed_ = " ".join(hers).lower() if book.code in ("us", "uk") else ""
-    for eye in found["eyes"] if "eye" not in listed_ else ():
+    for eye in found["eyes"] if "eye" not in listed_ or not _COUNTED.search(listed_) else ():
         word = own["eye" if eye["count"] == 1 else "eyes"]
         name = book.said.color(unhexed(eye["color"]))[1]
         other.append(
@@ -273,11 +282,11 @@ def _materials(book: Book, width: float) -> list[Atom]:
         other.append(
             (
                 own["stuffing"],
-                own["fill"].format(grams=number(max(1.0, filling["grams"]), 0), litres=number(filling["litres"], 2)),
+                own["fill"].format(grams=number(max(1.0, filling["grams"]), 0)),
             )
         )
     lacking = [n for n in found["notions"] if not _LISTED[n].search(listed_)]
-    if lacking:
+    if lacking and lacking != ["scissors"]:
         other.append((own["notions"], "; ".join(own[n] for n in lacking)))
     for k, (what, much) in enumerate(other):
         row = pair(what[:1].upper() + what[1:], much, width, 0.3)

@@ -40,6 +40,8 @@ LARGE = 1.4
 WHITE: RGB = (255, 255, 255)
 _LONG = 1.4
 """What is so much deeper than high is long: a whale on its belly."""
+_HUE = 60
+"""What is no grey differs in its red, green and blue by so much."""
 _LEAST = 200
 """Pixels of a photo's shorter side; what is smaller is an ornament."""
 
@@ -213,11 +215,12 @@ def yarn_name(book: Book) -> str:
 
 
 def _main(piece: Plush) -> tuple[int, int, int]:
-    """The colour that most of the yarn has."""
+    """The colour that most of the yarn has that is no grey: in grey stands what is noted."""
     from tambour.crochet.maker.materials import lengths
 
     metres = lengths(piece)
-    r, g, b = max(metres, key=lambda color: metres[color], default=(90, 80, 70))
+    hues = {color: much for color, much in metres.items() if max(color) - min(color) >= _HUE}
+    r, g, b = max(hues, key=lambda color: hues[color], default=(60, 54, 50))
     return int(r), int(g), int(b)
 
 

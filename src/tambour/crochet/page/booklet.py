@@ -9,7 +9,7 @@ import numpy as np
 
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
-from tambour.crochet.language.finishes import Eye
+from tambour.crochet.language.finishes import Embroidery, Eye
 from tambour.crochet.maker.size import skin, whole_size
 from tambour.crochet.page.assembly import assembly, finished
 from tambour.crochet.page.begin import begin, heading, paragraph
@@ -130,7 +130,8 @@ def _cover(book: Book) -> None:
         x = MARGIN + k * step
         sheet.text(what, x, top + 6.5, SMALL, color=SOFT)
         sheet.paragraph(wrap(much, LEAD, step - 4.0, True)[:2], x, top + 12.0, LEAD, True)
-    dots = book.used[:12]
+    threads = [r.color for r in book.piece.built.pattern.finish if isinstance(r, Embroidery)]
+    dots = list(dict.fromkeys([*book.used, *threads]))[:12]
     for k, color in enumerate(dots):
         sheet.circles([(wide - MARGIN - 2.4 - 6.4 * (len(dots) - 1 - k), high - 12.5)], 2.4, color, HAIR)
 

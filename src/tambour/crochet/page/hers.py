@@ -76,7 +76,7 @@ _AD: Final = re.compile(
 _SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
 _LETTER: Final = re.compile(r"[^\W\d_]{2}")
 _BY: Final = re.compile(
-    r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer)[: \t]+"
+    r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer|design(?=:))[: \t]+"
     r"(?P<name>[A-ZÀ-Þ@][^\n,;|©]{1,50}?)[ \t*_.]*(?:[,;|©].*)?$",
     re.IGNORECASE | re.MULTILINE,
 )

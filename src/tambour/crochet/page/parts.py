@@ -15,7 +15,7 @@ from tambour.crochet.page.book import OWN, Book, cropped
 from tambour.crochet.page.flow import Atom, Chunk, plan, together
 from tambour.crochet.page.pictures import of_parts
 from tambour.crochet.page.plain import eyes_now, reach
-from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SOFT, width_of, wrap
+from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.page.wording import PartText, Row
 from tambour.render.page import Page
 
@@ -113,14 +113,15 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
     """A line of a part: a box to tick, the round, what is done, its count; and the colours that it changes to."""
     changes = [color for color in row.colors if color in book.used]
     if not row.label:
-        lines = wrap(row.words, BODY, width - (7.0 if changes else 0.0))
+        size = SMALL if row.ours else BODY
+        lines = wrap(row.words, size, width - (7.0 if changes else 0.0))
 
         def alone(sheet: Page, x: float, y: float) -> None:
             for k, color in enumerate(changes[:1]):
                 sheet.box(x + 5.4 * k, y + 0.5, 4.2, BODY + 0.2, color, HAIR, 0.15, 0.8)
-            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + BODY, BODY, color=SOFT if row.ours else INK)
+            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + size, size, color=SOFT if row.ours else INK)
 
-        return Atom(len(lines) * BODY * LEADING + 1.0, alone, 0.4, keep=bool(changes))
+        return Atom(len(lines) * size * LEADING + 1.0, alone, 0.4, keep=bool(changes))
     left = _TICK + 2.0 + label
     lines = wrap(row.words, BODY, width - left - count) or [""]
     tall = len(lines) * BODY * LEADING + 1.1
@@ -153,13 +154,33 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
             words = f"{own['in last loop'].format(change=words.rstrip('.'))}."
         elif row.label and not begun and 2 <= chain <= 9:
             words = own["from chain"].format(n=own["chain places"].split(",")[chain - 1], items=words)
+        elif not row.label and not begun and chain:
+            words = words.replace(
+                f", {book.said.terms.sentences['turn']}.", "."
+            )  # the chain is not turned before its first row
         begun = begun or bool(row.label)
         made.append(replace(row, words=words) if words != row.words else row)
     if book.hers is not None and block.part >= 0 and (end := book.taken.end(block.part)):
         made.append(Row("", end, ours=True))
+    if made and (stuffed := _stuffed(book, block)):
+        made.append(Row("", stuffed, ours=True))
     if (way := _way_up(book, block)) and made:
         made.insert(0, Row("", way, ours=True))
     return made
+
+
+def _stuffed(book: Book, block: PartText) -> str:
+    """That a part that is sewn on is stuffed, where she says nothing of it."""
+    built = book.piece.built
+    if book.hers is None or block.part < 0 or block.section < 0:
+        return ""
+    section, part = built.pattern.parts[block.section], built.graph.parts[block.part]
+    sewn = any(isinstance(r, Placed) and r.part in (section.name, f"{section.name}.1") for r in built.pattern.finish)
+    if not sewn or section.guessed or section.stuffing is not None or part.stuffing <= 0.0:
+        return ""
+    said = " ".join(words.lower() for _, words, _ in book.hers.inside.get(block.section, []))
+    rest = " ".join([*book.hers.intro, *book.hers.closing]).lower()
+    return "" if _STUFFS.search(f"{said} {rest}") else book.own["is stuffed"]
 
 
 def _first_chain(book: Book, block: PartText) -> int:

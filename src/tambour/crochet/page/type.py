@@ -42,7 +42,7 @@ def printable(text: str) -> str:
 
 
 def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
-    """Lines of at most ``room`` mm; words that are longer are cut. No word stands alone in the last of three lines."""
+    """Lines of at most ``room`` mm; words that are longer are cut."""
     lines: list[str] = []
     line = ""
     # A number stays with its unit, a mark with the word before it.
@@ -61,8 +61,4 @@ def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
         line = word
     if line:
         lines.append(line)
-    if len(lines) > 2 and " " not in lines[-1] and lines[-2].count(" ") > 1:
-        head, _, tail = lines[-2].rpartition(" ")
-        if width_of(f"{tail} {lines[-1]}", size, bold) <= room:
-            lines[-2:] = [head, f"{tail} {lines[-1]}"]
     return [line.replace("\u00a0", " ") for line in lines]

@@ -38,6 +38,8 @@ _NOSE: Final = 1.2
 _SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
 """A snout ends in this first part of a head's rounds, where they have more than the first of these shares of the widest one's
 stitches; one that is blunt at the second of them, or behind this part of the rounds."""
+_BELOW, _FAN, _STANDS = 0.2, (0.45, 0.8), 0.7
+"""Whiskers stay so many stitches below the eyes; how far apart they begin and end, in rounds; a head stands whose axis is so upright."""
 _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
 _ON_MASK: Final = (0.52, 0.22, 0.0)
@@ -274,10 +276,30 @@ class Facer(Putter):
                 mirror = bool(p[0] < host.box[0][0])
                 drawn = "lashes down" if name == "lashes" and self.asleep else name
                 made += face.embroidered(host, drawn, p, wide, mirror, color, f.span, stitch=self.work.stitch)
-            return made
+            return self._by_rounds(host, made, wide) if name == "whiskers" and f.where.rounds is None else made
         point = self._single(f, host, name, wide)
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
+
+    def _by_rounds(self, host: Host, made: list[Finish], wide: float) -> list[Finish]:
+        """Whiskers of a head that stands, by its rounds and stitches: alike on both sides, and below the eyes."""
+        lines = [r for r in made if isinstance(r, Embroidery) and r.spots[0].stitch is not None]
+        if abs(float(host.axis[1])) < _STANDS or len(lines) != 6:
+            return made
+        middle = host.middle(lines[1].spots[0].round)
+        level = float(np.mean([lines[k].spots[0].round for k in (1, 4)]))
+        off = float(np.mean([abs((lines[k].spots[0].stitch or 0.0) - middle) for k in (1, 4)]))
+        eyes = self.known.get("eye")
+        if eyes is not None and eyes[0] == host.name:
+            eye, down = host.near(eyes[1][0]).round, 1.0 if host.axis[1] < 0.0 else -1.0
+            level = eye + down * max(down * (level - eye), self.deep.get("eye", 0.5) + _BELOW + _FAN[1])
+        found = []
+        for side in (-1.0, 1.0):
+            for k in (-1.0, 0.0, 1.0):
+                ends = ((level + _FAN[0] * k, off), (level + _FAN[1] * k, off + wide))
+                spots = [Spot(host.name, n, round(host.middle(n) + side * o, 3), lines[0].span) for n, o in ends]
+                found.append(replace(lines[0], spots=tuple(map(host.within, spots))))
+        return [*found]
 
     def _hair(self, host: Host, f: Feature) -> list[Finish]:
         """Strands on a head as far as is said, else as is usual, which is told."""

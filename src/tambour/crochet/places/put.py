@@ -16,7 +16,7 @@ from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import BESIDE, SPREAD
 from tambour.crochet.places.jointed import Jointer
 from tambour.crochet.places.names import SIDED, one
-from tambour.crochet.places.room import aside, spread
+from tambour.crochet.places.room import Seam, aside, spread
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
 
@@ -43,6 +43,10 @@ _HANGS: Final = re.compile(
 """A piece of which the upper edge is at the round that is said."""
 _BULGES: Final = 0.85
 """How much of its widest round a snout covers of what is behind it."""
+_ASIDE: Final = frozenset(("fin", "arm", "wing", "flipper"))
+"""What goes to the sides, and farther back where the eyes are."""
+_OFF_EYES, _BACKWARDS = 0.9, 10
+"""By how many stitches it stays clear of them, and how often it is moved."""
 _BEHIND_EYES: Final = 4.0
 """So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _NEAR_END: Final = 4
@@ -153,6 +157,14 @@ class Putter(Jointer):
                 ):
                     records, seams = found_, there
                     break
+        if kind in _ASIDE and self._over_eyes(records, seams):
+            for k in range(1, _BACKWARDS + 1):
+                back = [replace(w, at=(w.at[0], w.at[1], w.at[2] - 0.15 * k)) for w in told]
+                found_ = self._sewn(put, host, back)
+                there = self.room.seams(found_, kind)
+                if not self._over_eyes(found_, there):
+                    records, seams = found_, there
+                    break
         if (
             kind == "ear"
             and "inner" not in made.words
@@ -177,6 +189,14 @@ class Putter(Jointer):
         elif not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1):
             self.work.made.guessed.append(f"{made.name} on {onto[0].name}")
         return records
+
+    def _over_eyes(self, records: list[Placed], seams: list[Seam]) -> bool:
+        """Whether limbs whose stitch is not said are sewn where the eyes are."""
+        known = self.known.get("eye")
+        if known is None or any(seam.host != known[0] for seam in seams) or not records:
+            return False
+        eyes, least = np.array(known[1]), self.deep.get("eye", 0.5) + _OFF_EYES
+        return any(float(((s.points[:, None] - eyes) ** 2).sum(2).min()) < least * least for s in seams)
 
     def _all_in_one(self, onto: Copy, lies: bool) -> bool:
         """Whether a part is a toy's head and body without a neck: a ball with a face and limbs."""
@@ -329,6 +349,24 @@ class Putter(Jointer):
             away = -host.axis if nearer else host.axis
         return next((host.pole(way) for way in (host.axis, -host.axis) if float(way @ away) > 0.5), None)
 
+    def _stood_on(self, host: Host, level: float) -> float | None:
+        """The stitch of a round near a part's tip that those stand on which are at the toy's side where the part is sewn on:
+        rounds of few stitches turn on their way there."""
+        graph, spots = self.work.built.graph, self.work.spots
+        last = host.levels[-1][0]
+        begin, end = (spots.round_at(host.part, int(n)) for n in (last, level))
+        if begin is None or end is None or begin <= end:
+            return None
+        ring, goal = spots.stitches(begin), spots.stitches(end).tolist()
+        at = host.in_round(last, np.array([1.0, 0.0, 0.0]))
+        node = int(ring[round(at - 1.0) % len(ring)])
+        for _ in range(int(last - level)):
+            anchors = graph.anchors[graph.anchor_offsets[node] : graph.anchor_offsets[node + 1]]
+            if not len(anchors):
+                return None
+            node = int(anchors[0])
+        return goal.index(node) + 1.0 if node in goal else None
+
     def _half(self, copy: Copy) -> float:
         """Half the width of a part's end, in stitches."""
         edge = self.work.open(copy[0].copy(copy[1])) or 6
@@ -373,7 +411,13 @@ class Putter(Jointer):
         elif put.kind == "fluke" and self._lies_name(host) and a.round >= host.high - 1:
             off = (self.work.open(one[0].copy(1)) or 6) / 4  # side by side on the edge of a flat end
         elif "tip" in put.where.words:
-            off = 0.25 * count  # on both sides of it, not both in front
+            if (far := self._far_end(host)) is not None and put.where.rounds is None:
+                level = sorted((n for n, _ in host.levels), key=lambda n: abs(n - far.round))[:2][-1]
+                a, b = replace(a, round=float(level)), replace(b, round=float(level))
+                middle, count = host.middle(a.round), host.count(a.round)
+            off = 0.25 * count  # on both sides of it, not both in front, nor one above the other
+            if self._lies_name(host) and (side := self._stood_on(host, a.round)) is not None:
+                middle = side + off
         if apart is not None and self._lies_name(host) and way.at[1] < -0.3:
             middle += 0.5 * count  # legs of what lies: from the middle of its underside
         return self._sides(host, both, a, middle, off)
