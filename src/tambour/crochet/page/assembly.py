@@ -33,7 +33,7 @@ _CARE = 44.0
 """Room that the words of care take below them, mm."""
 _LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
-_SMALL = 0.65
+_SMALL = 0.6
 """What a step is about is shown from near where it is so small beside all that is there."""
 _GAP = 4.0
 """Between pictures, mm."""
