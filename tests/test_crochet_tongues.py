@@ -4,6 +4,7 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
+from tambour.crochet.language.finishes import Placed
 from tambour.crochet.printed.choose import read
 
 
@@ -154,3 +155,40 @@ HANDS = [
 )
 def test_what_only_some_say(text: str, made: list[int]) -> None:
     assert list(counts(text).values()) == [made]
+
+
+ROUNDS = {
+    "de": ("Rd", "6 fM in den FR (6)", "jede M verdoppeln (12)", "12 fM (12)", ("Kopf", "Körper", "Ohren (2x)", "Schwanz")),
+    "fr": ("Rang", "6 ms dans le CM (6)", "1 aug dans chaque m (12)", "12 ms (12)", ("Tête", "Corps", "Oreilles (x2)", "Queue")),
+    "es": ("Vta", "6 pb en AM (6)", "aum en todos (12)", "12 pb (12)", ("Cabeza", "Cuerpo", "Orejas (2 iguales)", "Cola")),
+    "nl": ("Toer", "6 v in de MR (6)", "meerder in elke v (12)", "12 v (12)", ("Hoofd", "Lijf", "Oren (2x)", "Staart")),
+}  # fmt: skip
+"""Four parts of a toy in each language: the head of a round, its first three, and their names."""
+
+
+@pytest.mark.parametrize(
+    ("code", "sewn"),
+    [
+        ("de", "Den Kopf auf den Körper nähen. Die Ohren zwischen Rd 2 und 4 am Kopf annähen, den Schwanz hinten an der 3. Rd des Körpers."),
+        ("de", "Nähe den Kopf an den Körper. Ohren seitlich an R3 vom Kopf, der Schwanz kommt hinten an Rd. 3 des Körpers."),
+        ("de", "Kopf auf den Körper setzen und annähen. Die Ohren werden an der 2. bis 4. Rd des Kopfes angenäht. Schwanz: hinten an Rd 3 des Körpers"),
+        ("fr", "Cousez la tête sur le corps. Les oreilles se cousent entre les rangs 2 et 4 de la tête, la queue dans le dos, au rang 3 du corps."),
+        ("fr", "Coudre la tête sur le corps, puis les oreilles de chaque côté de la tête au rang 3. Fixer la queue à l'arrière du corps au 3e rang."),
+        ("fr", "La tête se coud sur le corps. Placez les oreilles sur la tête, du rang 2 au rang 4. La queue vient derrière, au rang 3 du corps."),
+        ("es", "Coser la cabeza al cuerpo. Orejas: entre la vta 2 y la 4 de la cabeza. La colita va atrás, en la vta 3 del cuerpo."),
+        ("es", "1) Cosemos la cabeza al cuerpo. 2) Las orejas a los lados de la cabeza, en la vta 3. 3) La cola detrás, en la 3ª vuelta del cuerpo."),
+        ("es", "Une la cabeza con el cuerpo. Cosed las orejitas entre las vueltas 2 y 4 de la cabeza y la cola en la parte de atrás del cuerpo, vuelta 3."),
+        ("nl", "Naai het hoofd op het lijf, de oortjes op de 3e toer van het hoofd. Het staartje komt achteraan op toer 3 van het lijf."),
+        ("nl", "Het hoofd op het lijf naaien. Zet de oren vast tussen toer 2 en 4 van het hoofd en de staart aan de achterkant van het lijf op toer 3."),
+        ("nl", "Naai het hoofd aan het lijf vast. Oren aan de zijkant van het hoofd, ter hoogte van toer 3. Staart achteraan op t3 van het lijf."),
+    ],
+)  # fmt: skip
+def test_assembly_is_placed_in_every_language(code: str, sewn: str) -> None:
+    head, *rounds, parts = ROUNDS[code]
+    worked = "\n".join(f"{head} {k}: {words}" for k, words in enumerate((*rounds, *2 * rounds[-1:]), 1))
+    pattern = read(Text("\n\n".join([*(f"{name}\n{worked}" for name in parts), sewn]), "toy.txt"))
+    kopf, korper, ohren, schwanz = (part.name for part in pattern.parts)
+    sewn_to = {r.part: (r.spot.part, r.spot.round) for r in pattern.finish if isinstance(r, Placed)}
+    assert {kopf, korper} & set(sewn_to)  # one of them is sewn to the other
+    assert sewn_to[f"{ohren}.1"] == sewn_to[f"{ohren}.2"] == (kopf, 3)
+    assert sewn_to[schwanz] == (korper, 3)

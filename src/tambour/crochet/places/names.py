@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Final
 
+from tambour.crochet.words.gloss import folded, nouns
+
 # Kind → words that name it, singular, English first; then Spanish, German, French, Dutch.
 _KINDS: Final[dict[str, str]] = {
     "head": "head skull noggin kopf cabeza tête tete hoofd",
@@ -81,11 +83,13 @@ LIKE: Final = (
 _ODD: Final = {
     "feet": "foot", "leaves": "leaf", "antennae": "antenna", "teeth": "tooth", "halves": "half", "hooves": "hoof",
     "pieces": "piece", "eyes": "eye", "nose": "nose", "noses": "nose", "bodies": "body", "tummies": "tummy",
-    "shoes": "shoe", "toes": "toe",
+    "shoes": "shoe", "toes": "toe", "bras": "bras",
     "scarves": "scarf", "loaves": "loaf",
 }  # fmt: skip
 _FILLER: Final = frozenset(("the", "a", "an", "and", "of", "for", "with", "each", "both", "&"))
 _OF: Final = frozenset(("of", "on", "for", "from", "at"))
+_WITH: Final = frozenset("with mit avec con met".split())
+_TRUNK: Final = frozenset(("head", "body", "neck", "leg"))
 _WORD: Final = re.compile(r"[^\W\d_]+(?:['’]s)?|\d+")
 _SECOND: Final = frozenset(("right", "second", "other", "2nd"))
 _FIRST: Final = frozenset(("left", "first", "one", "1st"))
@@ -135,6 +139,9 @@ class Made:
         """What its name says that it is, the last noun first; "top of head" is no head."""
         words = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
         words = words[: next((k for k, w in enumerate(words) if k and w in _OF), None)]
+        cut = next((k for k, w in enumerate(words) if k and w in _WITH), len(words))
+        if {kind_of(w) for w in words[:cut]} - {""} and not {kind_of(w) for w in words[cut:]} & _TRUNK:
+            words = words[:cut]  # a head with a trunk is a head
         return list(dict.fromkeys(kind_of(w) for w in reversed(words) if kind_of(w)))
 
     @cached_property
@@ -214,6 +221,9 @@ def kind_of(word: str) -> str:
     """The kind that a word (singular) names; compounds by their end ("hindleg", "Hinterbein"); "" for none."""
     if word in KINDS:
         return KINDS[word]
+    known, plain = nouns(), folded(word)
+    if (said := one(known.get(plain) or known.get(f"{plain}s", ""))) in KINDS:
+        return KINDS[said]  # "corps" loses its end where it is taken for a plural
     found = [k for k in KINDS if len(k) >= 3 and len(word) > len(k) + 2 and word.endswith(k)]
     return KINDS[max(found, key=len)] if found else ""
 

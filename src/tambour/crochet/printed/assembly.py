@@ -19,6 +19,7 @@ from tambour.crochet.places.toy import Assembled, faced, toys
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
+from tambour.crochet.words.gloss import english
 from tambour.crochet.words.phrases import Phrases
 
 _EYES: Final = re.compile(
@@ -90,11 +91,13 @@ def assembled(
         span = one.span
         words = built.pattern.text.text[span.start : span.end]
         exact: Finish | None = phrases.finishing(words, span)
+        glossed = english(words, built.pattern.terms)
+        words = glossed.text
         part = "" if one.headed else one.part
         held = _POSE.match(built.pattern.text.text, span.end)
         if held is not None and exact is None:
             words = " ".join((words, _BACK.sub("backwards", held["how"])))
-        hues = shades(one.tokens, palette, span.start)
+        hues = tuple((glossed.at(place), hue) for place, hue in shades(one.tokens, palette, span.start))
         if exact is None and (left_out := verb_of(words, names)) is not None:
             at, verb = left_out
             words = words[:at] + verb + words[at:]

@@ -7,6 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
+from tambour.crochet.places import face
 from tambour.crochet.places.assembling import assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken
@@ -14,6 +15,7 @@ from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
+from tambour.crochet.words.gloss import english
 
 _SEWN: Final = re.compile(
     r"\bsew\b.{0,20}\b(?:in place|into place|behind|between|beneath|above|below|under)\b", re.IGNORECASE
@@ -83,7 +85,13 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     if _HOW.search(text):
         return False
     names = [draft.name for draft in p.parts]
-    if not assembling(spoken(_OFF.sub(" ", text), names), names) and not _SEWN.search(text):
+    heard = english(text, p.language.code).text
+    if heard is not text:
+        named = any(kind_of(one(w)) for w in re.findall(r"[^\W\d_]+", heard)) or face.motifs(heard)
+        stitches = any(t.kind == "stitch" for t in tokens) and not re.search(r"\b(?:sew|embroider)\b", heard)
+        if not named or stitches:
+            return False
+    if not assembling(spoken(_OFF.sub(" ", heard), names), names) and not _SEWN.search(text):
         return False
     _filled(p, tokens)
     whole = p.source.text.text

@@ -19,6 +19,7 @@ _POINTED: Final = {
 """Words that are shortened with a point, which ends no sentence."""
 _ORDINAL: Final = {"de": "."}
 """What makes an ordinal of a number, right behind it: "3. Masche"."""
+_UP_TO: Final = frozenset(("-", "bis"))
 _BEGIN: Final = frozenset("beginnen anfangen starten empezar comenzar empezando commencer".split())
 _COPIES: Final = frozenset("x × iguales stück stk stuks mal fois keer veces piezas pièces pz".split())
 _MAKE: Final = frozenset("tejer hacer faire réaliser haken haak maak häkeln anfertigen".split())
@@ -239,7 +240,9 @@ def _ordinals(tokens: list[Token], sign: str, counted: frozenset[str]) -> list[T
         if number.kind != "number" or behind.word != sign or not behind.glued or not isinstance(number.value, int):
             continue
         after = made[k + 2] if k + 2 < len(made) else None
-        if after is None or after.glued:
+        if k and after is not None and after.word in _UP_TO and k + 3 < len(made) and made[k + 3].kind == "ordinal":
+            after = made[k + 3]  # "an der 5.–8. Rd"
+        elif after is None or after.glued:
             continue
         if after.kind == "ordinal" or after.word in counted:
             made[k : k + 2] = [

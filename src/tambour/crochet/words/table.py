@@ -91,6 +91,8 @@ class Heard:
     kinds : the same, of stitches whose ``increases`` and ``decreases`` the reader makes by itself
     said : what sentences are known by that tell no stitches → its words, which are no words of rounds
     colors : the English name of a colour of yarn → spellings
+    gloss : words of the assembly in English → spellings, "#" a number (:mod:`tambour.crochet.words.gloss`)
+    parts : English nouns of parts and faces → spellings
     fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
     labels : words that number parts of a pattern, "Part 3: Pot"; steps : such that number other things too, "Step 3: Sew the ears"
     """
@@ -100,6 +102,8 @@ class Heard:
     kinds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     said: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     colors: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    gloss: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    parts: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     increases: tuple[str, ...] = ()
     decreases: tuple[str, ...] = ()
     fillers: tuple[str, ...] = ()
