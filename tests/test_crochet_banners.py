@@ -96,11 +96,17 @@ def test_uk_terms_are_not_believed_of_rounds_in_sc() -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        ("Ears to each side of the head at Rd 9", "sew Ears to each side of the head at Rd 9"),
+        ("The legs underneath, two at Rds 7-9", "sew The legs underneath, two at Rds 7-9"),
+        ("2) Tail on Rnd 1 of the body", "2) sew Tail on Rnd 1 of the body"),
+        ("Take the straps over the back at Rnd 3", "Take the straps over the back at Rnd 3"),
+        ("Body on top of 20 sc at Rnd 1", "Body on top of 20 sc at Rnd 1"),
         ("Arms: either side at Round 4", "Arms: sew either side at Round 4"),
         ("Horns - on top of the head", "Horns - sew on top of the head"),
         ("Mouth: black, a little V below the eyes", "Mouth: embroider black, a little V below the eyes"),
         ("Eyes between Rnds 4 and 5, 6 sts apart", "Eyes placed between Rnds 4 and 5, 6 sts apart"),
         ("Arms: sew to the body", "Arms: sew to the body"),
+        ("4) Arms: back middle on the seam", "4) Arms: sew back middle on the seam"),
         ("Hook: 3 mm", "Hook: 3 mm"),
         ("Arms: 5 rounds of 6", "Arms: 5 rounds of 6"),
         ("Note: at the end", "Note: at the end"),

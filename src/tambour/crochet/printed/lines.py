@@ -13,11 +13,17 @@ from tambour.crochet.printed.tokens import Row, Token
 _COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
 
+_LISTS: Final = ("*", "-", "–", "•", "·", "●", "▪", "+")
+"""Signs of the things of a list."""
+
 
 def wrapped(p: State, row: Row, after: Row) -> bool:
     """Whether a sentence of a long line goes on in the next."""
     if not after.tokens or row.marked or row.tokens[-1].word in (".", ":", "!", "?"):
         return False
+    whole = p.source.text.text
+    if whole[whole.rfind("\n", 0, after.tokens[0].start) + 1 : after.tokens[0].start].strip() in _LISTS:
+        return False  # "* eyes: …" is the next of a list
     if row.tokens[-1].word == "between":
         return True  # "between | Rows 8 and 9" begins no round
     if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", "for", "as", "from"):
