@@ -57,6 +57,12 @@ Row 1: Ch 23, sc in 2nd ch from hook and in each ch across (22)
 Rows 2-8: Ch 1, turn, sc in each st across (22)
 Fasten off.
 """
+CAPE = """Cape
+Row 1: Ch 21, sc in 2nd ch from hook and in each ch across (20)
+Rows 2-9: Ch 1, turn, inc, sc in each st to last st, inc
+Row 10: Ch 1, turn, sc in each st across (36)
+Fasten off.
+"""
 SKIRT = """Little Skirt
 Ch 24, join with sl st to form a ring.
 Rnd 1: sc in each ch around (24)
@@ -92,6 +98,7 @@ def part_of(made: Plush, name: str) -> int:
     [
         (DRESS, "dress", "neck"),
         (SWEATER, "sweater", "neck"),
+        (CAPE, "cape", "nape"),
         (SKIRT, "little skirt", "waist"),
         (SCARF, "scarf", "scarf"),
         (ALONG, "scarf", "scarf"),

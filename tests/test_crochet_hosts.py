@@ -371,3 +371,13 @@ def test_an_ear_in_each_of_two_colours_is_a_pair_and_no_thing_of_two_halves():
     text = f"Bear\n\nMATERIALS\nContrast A Grey\nContrast B Blue\n\n{BALL.format('BODY')}{BALL.format('HEAD')}{ear}Stuff. Sew the ears to the head between rounds 3 and 8. Sew head to body.\n"
     pattern = read_printed(Text(text, "bear.txt"))
     assert sum("EARS" in r.part for r in pattern.finish if isinstance(r, Placed)) == 2
+
+
+@pytest.mark.parametrize("name", ["Mushroom Top", "TOADSTOOL TOP", "Dome"])
+def test_the_top_of_a_mushroom_is_on_its_stem(name):
+    top = f"{name}\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: (2 sc, inc) x 6 (24)\nRnd 5: (3 sc, inc) x 6 (30)\nRnds 6-12: sc around (30)\n\n"
+    spots = "SPOTS (make 4)\nRnd 1: 6 sc in MR (6)\nFasten off. Sew the spots to the top.\n\n"
+    stem = "STEM\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-9: sc around (12)\nStuff.\n"
+    pattern = read_printed(Text(f"Mushroom\n\n{top}{spots}{stem}Add 8 mm safety eyes to the stem.\n", "mushroom.txt"))
+    on = {r.part: r.spot.part for r in pattern.finish if isinstance(r, Placed)}
+    assert on[name] == "STEM" and "STEM" not in on

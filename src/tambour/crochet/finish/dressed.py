@@ -71,7 +71,7 @@ class Wearer:
 
     def catches(self, where: str, wide: float) -> float:
         """How far down an end that is so wide, from its axis, comes to lie: where the body is as wide, and no farther."""
-        low, high = (share * self.long for share in _SLIDE[where])
+        low, high = (share * self.long for share in _SLIDE[base(where)])
         for deep in np.arange(low, high, 0.5):
             if self.mean(float(deep)) + OFF >= wide:
                 return float(deep)

@@ -139,9 +139,10 @@ class Assembly(Hosts):
             for p in self.heard.puts
             if p.host is not None and p.host[0] not in put and p.host[0].single and not p.host[0].worn
         ]
+        stem = self.of_kind("stem")
+        under = [p for p in under if stem is None or p.kind != "hat"]
         if under:
             return max(under, key=self.size)
-        stem = self.of_kind("stem")
         return (
             stem if stem is not None and largest.kind == "hat" and 6 * self.size(stem) > self.size(largest) else largest
         )

@@ -25,6 +25,8 @@ SIDE: Final = frozenset(
 )
 _LEVEL: Final = frozenset(("in line with", "level with", "at the level of"))
 _A_BIT: Final = re.compile(r"\b(?:a bit|a little|slightly)\s+(backwards|forwards|upwards|downwards|outwards|inwards)\b")
+_NOSE_FIRST: Final = -0.7
+"""A head that is worked from its nose runs back from it by so much, as a cosine."""
 _LIKE: Final = {"snout": "muzzle", "smile": "mouth", "brim": "hat", "cheek": "cheeks"}
 
 
@@ -151,6 +153,8 @@ class Beside:
             if relation in ("between", "in between"):
                 if way.at[1] > 0.85 and thing == "ear":
                     continue
+                if thing == "ear" and float(host.axis[2]) < _NOSE_FIRST:
+                    return middle  # of what looks ahead the foremost there is its nose
                 return host.ahead(middle[0], middle[1])
             if relation in SIDE and sign:
                 return _around(host.box[0], own, sign * (steps or half_size + 0.8))

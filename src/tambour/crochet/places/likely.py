@@ -29,6 +29,9 @@ class Likely(Upright):
         bare = [p for p in self.parts if p.single and not p.worn]
         if not bare:
             return
+        tops = [p for p in bare if not p.kind and p.words[-1:] in (["top"], ["dome"])]
+        if self.of_kind("stem") is not None and self.of_kind("hat") is None and tops:
+            self._likely(tops[0], "hat")  # the top of a mushroom that has a stem
         legs = sorted((p for p in bare if p.kind == "leg"), key=self.size)
         if self.of_kind("body") is None and len(legs) > 1 and 2 * self.size(legs[-1]) > 3 * self.size(legs[-2]):
             self._likely(legs[-1], "body")  # the leg that goes on into the body
