@@ -136,6 +136,37 @@ def test_what_pages_and_tables_say_besides_is_no_sentence_of_hers(junk: str) -> 
 
 
 @pytest.mark.parametrize(
+    "foot, rule, needs",
+    [
+        ("pimpatterns.example.com | page {n}", "━━━ {} ━━━", "What you need on the table"),
+        ("Pim the Pea – Page {n} of 3", "✦ {} ✦", "Grab these goodies"),
+        ("© Ann Pim · Seite {n}", "~~ {} ~~", "In my basket"),
+    ],
+)
+def test_ornaments_feet_of_pages_and_other_peoples_words_are_left_out(foot: str, rule: str, needs: str) -> None:
+    text = BALL.format(
+        round="Rnd 4: sc around (18)", after=f"{foot.format(n=2)}\n[Photo 3: the pea so far]\n♥ Do breathe. ♥"
+    )
+    text = text.replace(
+        "Pim the Pea\n", f"{rule.format('Pim the Pea')}\nMay contain affiliate links.\nHello!\n{foot.format(n=1)}\n", 1
+    )
+    text = (
+        text.replace("Materials\n", f"{needs}\n")
+        .replace("Yarn:", "~ Yarn:")
+        .replace("Hook:", "~ Hook:")
+        .replace("Fibre", "~ Fibre")
+    )
+    of = book(f"{text}\nKiss the pea.\n\nYou may also like\nBob the Bean\nCarol says: Can I use rope?\n")
+    assert of.hers is not None
+    assert of.hers.materials == ["Yarn: DK weight in green", "Hook: 3 mm", "Fibrefill, a tapestry needle"]
+    said = " ".join([*of.hers.intro, *of.hers.sentences])
+    assert "Hello!" in said and "Do breathe." in said and "Kiss the pea." in said
+    assert not [
+        w for w in ("page", "Page", "Seite", "Photo", "affiliate", "♥", "━", "✦", "Bob", "Carol") if w in said
+    ], said
+
+
+@pytest.mark.parametrize(
     "sewn, said, never",
     [
         ("Sew the arms to the sides of the body at Rnd 9.", "round 9", "round 8"),

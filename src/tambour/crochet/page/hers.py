@@ -63,13 +63,31 @@ _ASSEMBLY: Final = frozenset(
 )
 _TOGETHER: Final = re.compile(r"(?:putting|sewing|stitching|piecing|joining)(?: \w+){0,3} (?:together|up)")
 """How an assembly is headed besides: "Putting Pip together"."""
-_BULLET: Final = re.compile(r"^[\s#>*•–-]+(?=\S)")
+_BULLET: Final = re.compile(r"^[\s#>*•–~☐-]+(?=\S)")
+_POINT: Final = re.compile(r"^\s*[*•–~☐·-]\s*\S")
+_SIGNS: Final = "\\s~=_|\u2500-\u27bf\ufe0f\U0001f300-\U0001faff"
+_ORNAMENT: Final = re.compile(rf"^[{_SIGNS}]+|[{_SIGNS}]+$")
+"""What lines are decorated with: rules, hearts, boxes, flowers."""
+_FOOT: Final = re.compile(
+    r"^.{0,70}(?:\bpage|\bseite|\bpágina|\bpagina|\bp\.)\s*\d+(?:\s*(?:of|/|von|de|sur|van)\s*\d+)?\W*$", re.IGNORECASE
+)
+"""The foot of a page, amid the text."""
+_REST: Final = re.compile(
+    r"^\W*(?:you (?:may|might) also (?:like|love|enjoy)|related (?:posts|patterns)|leave a (?:reply|comment)|\d+ (?:comments?|replies|responses))\W*$",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""What follows on a page of the web is other people's."""
+_WARES: Final = re.compile(
+    r"\b(?:hooks?|needles?|stuffing|fib(?:er|re)fill|safety eyes|stitch markers?|kapok)\b", re.IGNORECASE
+)
+"""What lists of materials hold, whatever their heading is."""
 _STARRED: Final = re.compile(r"(?<!\w)\*(?=\S)([^*]+?)(?<=\S)\*(?!\w)")
 """What stands between asterisks is printed in italics elsewhere."""
 _LINK: Final = re.compile(r"\[([^\]\n]+)\]\([^)\s]*\)")
 _ESCAPED: Final = re.compile(r"\\([*_\[\]()#>-])")
 _AD: Final = re.compile(
-    r"^\W*(?:advertisement|sponsored|ad|cookie settings|jump to (?:the )?(?:recipe|pattern)|print (?:the )?pattern)\W*$",
+    r"^\W*(?:advertisement|sponsored|ad|cookie settings|jump to (?:the )?(?:recipe|pattern)|print (?:the )?pattern"
+    r"|(?:photo|image|picture|foto|imagen)\s*\d*:.*|home\b.{0,60}\b(?:contact|shop|about)(?: me| us)?|.*\baffiliate links?\b.*)\W*$",
     re.IGNORECASE,
 )
 """A line of a page of the web that is nobody's sentence."""
@@ -171,8 +189,11 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
     made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
     waiting: list[str] = []  # what she says before the next step
-    for a, b, _ in _whole(lines, text, heads):
-        if (a < first and a not in heads) or _TABLE_HEAD.match(text[a:b]) or _AD.match(text[a:b]):
+    rest = next(
+        (m.start() for m in _REST.finditer(text, max(last, max((s.start for s in covered), default=0)))), len(text)
+    )
+    for a, b, _ in _whole([one for one in lines if one[0] < rest], text, heads):
+        if (a < first and a not in heads) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, _AD, _FOOT)):
             continue
         if a >= after:
             if a not in assembles:
@@ -205,7 +226,7 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
     spoken = {key: {s.lower() for s in (terms.word(key), key)} for key in _LISTED}
     title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
     wares = {said for key in ("yarn", "hook", "eyes") for said in spoken[key]}
-    long = 0
+    lists, long = _lists(lines), 0
     mode, unended = "", False
     end = -1
     for a, b, line in lines:
@@ -213,21 +234,25 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
         head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip()
         by = _BY.match(line) if not made.designer and len(line) < 90 else None
         sentence = line.rstrip().endswith((".", "!", "?")) and len(line.split()) >= _WORDS and not _BULLET.match(line)
-        if plain == title or not _LETTER.search(plain) or _AD.match(line):
+        if _ORNAMENT.sub("", plain) == title or not _LETTER.search(plain) or _AD.match(line) or _FOOT.match(line):
             continue
         if by is not None:
             made.designer = " ".join(by["name"].split())
         elif mode == "materials" and head in wares and head != plain:
-            made.materials.append(" ".join(_BULLET.sub("", line).split()))  # "Yarn: DK in blue" among them
+            made.materials.append(
+                _ORNAMENT.sub("", " ".join(_BULLET.sub("", line).split()))
+            )  # "Yarn: DK in blue" among them
         elif head in _NOTES:
             mode = ""
             made.intro += [_clean(line)] if plain != head else []
         elif head in _MORE or head.rstrip("s") in _MORE or any(head in said for said in spoken.values()):
             mode = "terms" if head in _TERMS or head in spoken["abbreviations"] else "listed"
             mode = "materials" if head in _NEEDED or head in spoken["materials"] else mode
+        elif not mode and a in lists:
+            mode = "materials"
         elif mode and not (gap and sentence):
             if mode == "materials":
-                made.materials.append(" ".join(_BULLET.sub("", line).split()))
+                made.materials.append(_ORNAMENT.sub("", " ".join(_BULLET.sub("", line).split())))
         elif not _stated(pattern, a, b):
             mode = ""
             broken = unended and (long >= _BROKEN or line[:1].islower())
@@ -245,6 +270,20 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
             made.intro += [" ".join(said)] if said else []
         if mode == "terms":
             made.terms |= {m["said"]: m["meaning"].strip() for m in _TERM.finditer(_BULLET.sub("", line))}
+
+
+def _lists(lines: list[tuple[int, int, str]]) -> set[int]:
+    """Where headings of lists of materials begin, whatever they say: lines above points that name what is needed."""
+    found = set()
+    for k, (a, _, line) in enumerate(lines):
+        points: list[str] = []
+        for _, _, other in lines[k + 1 :]:
+            if not _POINT.match(other):
+                break
+            points.append(other)
+        if len(points) > 1 and not _POINT.match(line) and sum(bool(_WARES.search(p)) for p in points) > 1:
+            found.add(a)
+    return found
 
 
 def _told(span: Span, step: Span) -> bool:
@@ -312,7 +351,8 @@ def _clean(words: str) -> str:
         words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
     words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))
     words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
-    return words if not words or words[-1] in ".!?:)" else f"{words}."
+    words = _ORNAMENT.sub("", words)
+    return words if not words or words[-1] in ".!?:)" or words.isupper() else f"{words}."
 
 
 def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
