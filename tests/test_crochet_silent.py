@@ -559,3 +559,44 @@ def test_what_others_call_stitches_is_no_explanation_of_them(said: str) -> None:
 def test_the_hook_is_stated_by_its_own_line(line: str) -> None:
     words = f"Pup\n\nYou will need:\n• Jeans: green, a bit of brown\n{line}\n• 6 mm eyes\n\n{BODY.replace('With A, ch', 'Ch')}"
     assert "Jeans" not in read(Text(words, "pup.txt")).stated["hook"][0]
+
+
+@pytest.mark.parametrize(
+    "sentence, want",
+    [
+        ("3rd rnd: One single crochet and an increase, six times (18).", "[sc, inc]x6"),
+        ("3rd rnd: Sc, inc, 6 times. 18 sc.", "[sc, inc]x6"),
+        ("3rd rnd: One sc and one increase, six times.", "[sc, inc]x6"),
+        ("3rd rnd: 1 sc in each of next 4 sc, dec 4 times. 8 sc.", "4 sc, [dec]x4"),
+    ],
+)
+def test_so_many_times_at_a_sentences_end_means_all_of_it(sentence: str, want: str) -> None:
+    found = rounds(read(Text(f"{TOP}{BODY}{sentence}\n", "pup.txt")))[2]
+    assert found.replace("4 dec", "[dec]x4") == want
+
+
+@pytest.mark.parametrize("count", ["12 sc and 6 chs", "12 sc and 6 ch-1 sps", "12 sc"])
+def test_a_count_behind_a_join_is_not_worked(count: str) -> None:
+    words = f"{TOP}{BODY}3rd rnd: 1 sc in each sc around, join, {count}\n"
+    assert made(read(Text(words, "pup.txt")))[2] == 12
+
+
+def test_a_row_of_a_table_is_whole_however_long() -> None:
+    rows = [
+        "6 sc in MR | 6",
+        "inc x 6 | 12",
+        "BLO (sc, inc) x 6 | 18",
+        "(2 sc, inc) x 6 | 24",
+        "BLO (3 sc, inc) x 6 | 30",
+        "(4 sc, inc) x 6 | 36",
+        "BLO (5 sc, inc) x 6 | 42",
+    ]
+    table = "\n".join(f"{k} | white | {row}" for k, row in enumerate(rows, 1))
+    words = f"Mushroom\n\nHook 2.75 mm, cotton. Colours: red, white.\n\nGILLS\n\nRnd | ~ | Instructions | Sts\n{table}\n\nCut the yarn, weave in.\n"
+    assert made(read(Text(words, "mushroom.txt"))) == [6, 12, 18, 24, 30, 36, 42]
+
+
+def test_stitches_of_a_certain_yarn_are_no_change_to_it() -> None:
+    words = f"{TOP}{BODY}3rd rnd: With B, 1 sc in each of next 6 sc made with A. 1 sc in each of next 6 sc. 12 sc.\n"
+    line = [n for n in read(Text(words, "pup.txt")).parts[0].lines if n.in_round][2]
+    assert [i.name for i in line.items if isinstance(i, Action)].count("color") == 1

@@ -347,9 +347,30 @@ class Walk(Trade):
         c.at = end
         return True
 
+    def _all_of_it(self, found: list[Item], token: Token) -> bool:
+        """Works a sentence so many times as its end says, without a bracket: "One sc and an increase, six times (18)"; whether it does."""
+        c = self.c
+        after = c.look(2)
+        ends = (
+            after is None
+            or after.word in (".", ";", "!")
+            or (after.word in ("(", "[") and c.whole(3) is not None and c.mark(")", "]", ahead=4))
+        )
+        if self.depth or self.stars or not c.key("times", ahead=1) or not c.mark(",", ahead=-1) or not ends:
+            return False
+        begin = c.tokens[self.begun].start
+        at = next((k for k, i in enumerate(found) if makes(i) and _first(i).span.start >= begin), None)
+        if at is None or token.value < 2:
+            return False
+        found[at:] = [Group(tuple(found[at:]), token.value, token.span)]
+        c.at += 2
+        return True
+
     def number(self, found: list[Item], token: Token) -> None:
         """A number: of stitches, of repeats, or of rounds."""
         c = self.c
+        if self._all_of_it(found, token):
+            return
         if (
             c.mark("-", ahead=1)
             and c.kind("stitch", 2)
@@ -407,3 +428,10 @@ class Walk(Trade):
         if c.key("stitch", ahead=1):
             del c.tokens[c.at + 1]
         stitch(self, found, token)
+
+
+def _first(item: Item) -> Action:
+    """The first of what an item works."""
+    while isinstance(item, Group):
+        item = item.items[0]
+    return item

@@ -70,10 +70,26 @@ class Dyes(Courses):
             (token := self.c.look(1)) is not None and token.word in LETTERS
         )
 
+    def _of_yarn(self) -> bool:
+        """Goes past the yarn that stitches of the round below were worked in; whether it stands at the cursor."""
+        c = self.c
+        shade = self.palette.color(c, c.at + 1) or self.palette.letter(c, c.at + 1)
+        if shade is None or (not self.depth and not any(t.kind == "stitch" for t in c.tokens[max(0, c.at - 6) : c.at])):
+            return False
+        c.at += 1 + shade[1]
+        return True
+
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
         at = c.at
+        if (
+            c.key("with", "in")
+            and (worked := c.look(-1)) is not None
+            and worked.word in ("made", "worked")
+            and self._of_yarn()
+        ):
+            return True  # "2 dc in each of first 2 sc made with A" tells those stitches
         if c.key("join"):
             return False  # "Join B with sl st to first sc": joins the round, if there is one
         words = [t.word if (t := c.look(k)) is not None else "" for k in range(14)]

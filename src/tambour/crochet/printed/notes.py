@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -126,6 +127,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     words = text[row.tokens[0].start : end] if at is None or at.start > end else words
     if any(t.kind == "key" and t.value == "hook" for t in name):
         return None  # "Crochet hook C in white"
+    if any(a.kind == "number" and b.kind == "stitch" for a, b in pairwise(name)):
+        return None  # "Then two sc and an increase, six times."
     if not any(ch.isalpha() for ch in words) or any(isinstance(t.value, float) for t in name):
         return None
     capitals = words.isupper()

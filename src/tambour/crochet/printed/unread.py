@@ -30,8 +30,9 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     if p.mode in ("materials", "abbreviations") and not (first_round(tokens) and not p.parts):
         return False
     stitches = any(t.kind == "stitch" for t in tokens)
+    worked = stitches or any(t.kind == "key" and t.value in ("stitch", "round", "row") for t in tokens)
     numbers = any(
-        t.kind in ("number", "ordinal") and (t.word[0].isdigit() or (stitches and t.kind == "number" and t.value != 1))
+        t.kind in ("number", "ordinal") and (t.word[0].isdigit() or (worked and t.kind == "number" and t.value != 1))
         for t in tokens
     )
     if tokens[0].value == "make" and any(t.kind == "ordinal" for t in tokens[1:4]):
@@ -49,7 +50,7 @@ def instructs(p: State, tokens: list[Token]) -> bool:
         begins = any(
             t.kind == "key" and t.value in ("ring", "loop", "hook", "begin") for t in tokens
         )  # "With B, make a ring"
-        told = (stitches and numbers) or (yarned(tokens) and not begins)
+        told = (worked and numbers) or (yarned(tokens) and not begins)
         return p.heading is not None and p.mode == "" and told
     repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as", "twice") and t.word != "like" for t in tokens)
     if p.mode == "notes":

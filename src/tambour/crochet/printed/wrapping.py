@@ -82,6 +82,8 @@ def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list
     said = text[row.start : row.end].strip()
     if "|" in (said[:1], text[above.start : above.end].lstrip()[:1]):  # a row of a table is whole
         return True
+    if said.count("|") > 1 and text[above.start : above.end].count("|") > 1:
+        return True
     if _POINT.match(said) or begins(row.tokens, not ended) or _TITLE.match(text[above.start : above.end].strip()):
         return True
     words = said.split()
