@@ -51,7 +51,8 @@ def _shut(some: list[Token]) -> list[Token]:
     said = [replace(fold, kind="word", word="flatten", value=None), Token("key", "and", fold.end, fold.end, "and")]
     work = Token("word", "work", fold.end, fold.end)
     lead = next((k for k in range(pairs[0]) if some[k] is fold), 0)
-    lead = lead if any(t.word == ":" or t.value in ("round", "row") for t in some[:lead]) else 0
+    works = any(t.word == ":" or t.kind in ("number", "stitch") or t.value in ("round", "row") for t in some[:lead])
+    lead = lead if works else 0
     return [*some[:lead], *said, work, *some[pairs[0] : pairs[0] + 2], within, through, *some[end:]]
 
 

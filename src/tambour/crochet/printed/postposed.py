@@ -197,7 +197,7 @@ def _reached(after: Token | None) -> bool:
 def _clause(tokens: list[Token], at: int) -> int:
     """Where the clause at ``at`` ends that works stitches; 0 for another."""
     end = next((k for k in range(at, len(tokens)) if tokens[k].word in (*_ENDS, "(", "[", "*")), len(tokens))
-    return end if any(t.kind == "stitch" and t.value != "ch" for t in tokens[at : at + 2]) else 0
+    return end if any(t.kind == "stitch" and t.value != "ch" for t in tokens[at : min(at + 2, end)]) else 0
 
 
 def _led(made: list[Token]) -> bool:
