@@ -381,3 +381,10 @@ def test_the_top_of_a_mushroom_is_on_its_stem(name):
     pattern = read_printed(Text(f"Mushroom\n\n{top}{spots}{stem}Add 8 mm safety eyes to the stem.\n", "mushroom.txt"))
     on = {r.part: r.spot.part for r in pattern.finish if isinstance(r, Placed)}
     assert on[name] == "STEM" and "STEM" not in on
+
+
+def test_the_body_of_another_size_stands_aside():
+    text = f"Alien\n\n{BALL.format('Large Body')}{BALL.format('Small Body').replace('24', '18').replace('Rnd 4: (2 sc, inc) x 6 (18)', 'Rnd 4: sc around (18)')}{LIMB.format('ARMS (make 2)')}Sew the arms to the body.\n"
+    pattern = read_printed(Text(text, "alien.txt"))
+    assert {r.spot.part for r in pattern.finish if isinstance(r, Placed)} == {"Large Body"}
+    assert not [r for r in pattern.finish if isinstance(r, Placed) and r.part == "Small Body"]

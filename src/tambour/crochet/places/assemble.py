@@ -26,6 +26,8 @@ from tambour.crochet.places.wear import clothes
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
 _TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
+_SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
+"""Words of parts of which one is for every size of a toy."""
 _OTHER_SIDE: Final = re.compile(r"\b(?:opposite|other) side\b")
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
@@ -247,6 +249,10 @@ class Assembly(Hosts):
             mine = [p for p in self.heard.puts if p.copies[0][0] == part and not p.guess]
             if len(mine) == 1 and len(mine[0].copies) == 1 and mine[0].where.stitch is None and not part.worn:
                 mine[0].copies[:] = sorted([*mine[0].copies, *free], key=lambda c: c[1])  # "repeat for the left ear"
+                continue
+            sizes = [_SIZES & set(p.words) for p in (part, main)]
+            if part.kind == main.kind == "body" and all(sizes) and sizes[0] != sizes[1]:
+                self.made.apart.append(part.name)  # the body of another size of the toy
                 continue
             onto = main if (part.kind in ("head", "body")) else None
             self.heard.puts.append(
