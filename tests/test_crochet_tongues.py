@@ -144,6 +144,17 @@ HANDS = [
     # a translation's walls and loops
     ("Cuff\n1. 6 sc in MR (6)\n2. 6 inc (12)\n3. 12 sc behind the back wall of the loop (12)\n4. 12 sc (12)", [6, 12, 12, 12]),
     ("Collar\nDial 9 ch.\n1. from the second loop from hook 8 sc (8)\n2. 8 sc (8)", [8, 8]),
+    # told, without heads
+    ("The Egg\n\nWith white, put six single crochet into a ring and draw it shut. Next work two into every stitch and you will have twelve. Then one plain and "
+     "two in the next, all the way about, for eighteen. Work three rounds plain. Then one plain and two together, six times over, leaving twelve.",
+     [6, 12, 18, 18, 18, 18, 12]),
+    ("The cap. Start with six single crochet in a magic ring. Increase in every stitch (12). Then one single crochet and an increase, six times (18). For the round "
+     "after that it's two single crochet between the increases (24), then three (30). Now work even for two rounds.", [6, 12, 18, 24, 30, 30, 30]),
+    ("CAP\nRound one, we're putting six single crochets into the ring.\nRound two, increase in each one, that's twelve.\nRound three, one single one increase, repeat, "
+     "eighteen.\nRound four, two singles and an increase, all round. You should have twenty, no sorry, twenty-four.\nRounds five to seven just single crochet around, "
+     "twenty-four every time.\nRound eight, two singles and a decrease, six times, so we are at eighteen.", [6, 12, 18, 24, 24, 24, 24, 18]),
+    # boxes to tick
+    ("Horn\n☐ Round 1: 6 sc in m/r {6}\n☐ Rounds 2 – 4: sc 6 {6} ☐☐☐\n☐ Round 5: inc x 6 {12} ☐", [6, 6, 6, 6, 12]),
     # what other languages put behind
     ("Sjaal (heen en weer, om de 4 rijen wisselen)\n\nZet met rood 7 l op.\nRij 1: hst in de 3e l vanaf de naald en in elke volgende l (5)\n"
      "Rij 2 t/m 4: 2 l (telt niet mee), keer, hst in elke hst (5)", [5, 5, 5, 5]),

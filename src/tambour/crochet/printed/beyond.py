@@ -232,7 +232,7 @@ _SECOND: Final = re.compile(r"\b(?:second|2nd)\b", re.IGNORECASE)
 _TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,2})\b(?=.*\b(?:using|with|in)\b)")
 _ANOTHER: Final = re.compile(
     r"(?:make|work|crochet)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"
-    r"(?:,?\s+(?:exactly\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",
+    r"(?:,?\s+(?:(?:exactly|just)\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",
     re.IGNORECASE | re.MULTILINE,
 )
 _ALIKE: Final = frozenset(("alike", "exactly", "pieces", "of", "the", "these"))

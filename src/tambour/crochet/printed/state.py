@@ -32,6 +32,7 @@ from tambour.crochet.printed.shorthand import numbered, signs
 from tambour.crochet.printed.stepped import stepped
 from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tokens import Row, Token, rows
+from tambour.crochet.printed.told import told
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wrapping import unwrapped
 from tambour.crochet.words.phrases import Phrases
@@ -99,7 +100,7 @@ class State:
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
-            self.rows = plainly(self.rows, self.vocabulary)
+            self.rows = told(plainly(self.rows, self.vocabulary))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(

@@ -127,8 +127,8 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         if word in ("*", "-", "+") and not _bullet(tokens, at):
             break
         at += 1
-    while len(tokens) > at and tokens[-1].word == "|":
-        tokens.pop()
+    while len(tokens) > at and (tokens[-1].word == "|" or tokens[-1].word in _BOXES):
+        tokens.pop()  # "Rounds 10-17: sc 42 {42} ☐☐☐"
     tokens = _dotted(_kerned(_undashed(tokens[at:])))
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
@@ -214,6 +214,7 @@ _ASIDE: Final = 14
 """So many words may follow a bold name on its line: "**Body** (start with blue, at the nose)", "**Fins** make 2, in blue"."""
 _WEIGHTS: Final = frozenset(("**", "***", "****", "__", "___"))
 _GOES_ON: Final = frozenset(("around", "across", "to", "until", "end", "all", "twice", "once"))  # "Rep from | * around"
+_BOXES: Final = frozenset("☐☑□▢◻⬜▫◯")  # that are ticked, one a round
 _LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
 
 
