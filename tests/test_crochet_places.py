@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tambour.core.errors import TambourError, Text
+from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.finish.ground import Ground
 from tambour.crochet.finish.joining import crowded, prepare
 from tambour.crochet.finish.motif import threads
@@ -17,6 +17,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import instructions
+from tambour.crochet.places.hear import Heard, Sentence
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
 from tambour.crochet.printed.pattern import read_printed
@@ -1168,3 +1169,19 @@ def test_the_edited_text_marks_what_was_not_understood() -> None:
     assert signs == {"Rnd 1": TICK, "Rnd 2": TICK, "Rnd 3": NOTE, "Rnd 4": TICK}
     assert any(line.strip().startswith(NOTE) and "18" in line for line in lines)
     assert lines[-2].endswith("1 place not understood")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Fill the pot with stuffing and sew the soil to the loops left after R14 of the pot",
+        "Fill the pot with stuffing up to R13, lay the soil in and sew it down all around just under the rim (R14)",
+        "Match the edge of the soil with the edge of the pot and whip stitch all round at R14",
+        "Line up the outer edge of the soil with that of the pot at R14, then sew them together",
+    ],
+)
+def test_soil_lies_in_its_pot(words: str) -> None:
+    pot, soil = Made("POT", 1), Made("SOIL", 1)
+    heard = Heard([pot, soil], [Sentence(words, Span(0, 9), "SOIL")])
+    assert [(p.copies, p.host) for p in heard.puts] == [([(soil, 1)], (pot, 1))] and not heard.lost
+    assert heard.puts[0].where.rounds == (14.0, 14.0, False)

@@ -31,10 +31,15 @@ _ADJACENT: Final = re.compile(
 """What may stand between a verb and what is put."""
 _PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^\s*|\beach\s+)$")
 _FIRST_DONE: Final = re.compile(
-    r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:down\s+|up\s+|over\s+|in\s+)?"
+    r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend|lay|slip|drop)\w*\s+(?:down\s+|up\s+|over\s+|in\s+)?"
     r"(?:(?:the\s+)?(?:top|bottom|end|edge|tip|base)s?\s+of\s+)?(?:the\s+|each\s+|both\s+|left\s+|right\s+)*$"
 )
 """What is done with a part before it is sewn: "stuff the snout and sew to the head"."""
+_EDGES: Final = re.compile(
+    r"\b(?:match|line up|align)\s+(?:the\s+)?(?:\w+\s+)?(?:edges?|rims?|stitches)\s+of\s+(the\s+\w+(?:\s\w+)?)\s+(?:with|to|and)\s+"
+    r"(?:(?:the\s+)?(?:\w+\s+)?(?:edges?|rims?|stitches|that|those)\s+of\s+)?(?=the\b)"
+)
+"""Two edges that are laid on each other before they are sewn: "Match the edge of the gills with the edge of the cap and whip stitch"."""
 _CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
 """A sentence that closes a part, and puts it nowhere."""
 _IT: Final = re.compile(
@@ -190,7 +195,7 @@ class Heard:
         return True
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
-        low = MEET.sub("at neck of body", low)
+        low = _EDGES.sub(r"sew \1 to ", MEET.sub("at neck of body", low))
         found = mentions(low, self.parts)
         at = where(low)
         hair = SEWN_HAIR.search(low)
@@ -296,6 +301,11 @@ class Heard:
             at = where(
                 low[verb.start() :]
             )  # "fold down the top of the ear and sew it to the body" says no top of the body
+        before = [m for m in found if m.end <= verb.start()]
+        if not objects and (laid := [m for m in before if _FIRST_DONE.search(low[: m.start])]):
+            # "Fill the pot, lay the soil in and sew it down all around just under the rim (R14)"
+            objects, at = laid[-1:], where(low[verb.start() :])
+            hosts = hosts or [m for m in before if m.copies[0][0].vessel and m is not laid[-1]]
         if not objects and _IT.match(low, verb.start()) and (meant := self._just_closed(sentence)):
             objects = meant
             hosts = [m for m in hosts if m.copies[0][0] != meant[0].copies[0][0]]

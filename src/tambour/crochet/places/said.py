@@ -82,7 +82,7 @@ _WHERE: Final[dict[str, str]] = {
 }
 _COMPILED: Final = {name: re.compile(pattern) for name, pattern in _WHERE.items()}
 _DOING: Final = re.compile(
-    r",?\s(?:cinching|stuffing|using|working|making|being|adding|curving|pulling|tucking|gathering|noting|taking|stretching)\b"
+    r"(?<!\bwith),?\s(?:cinching|stuffing|using|working|making|being|adding|curving|pulling|tucking|gathering|noting|taking|stretching)\b"
     r"(?:(?! (?:between|over|apart|rounds?|rnds?)\b)[^,;])*"
 )
 """What hands do meanwhile, which says no place."""
