@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from io import BytesIO
+from pathlib import Path
 
 import pytest
 from PIL import Image
@@ -10,11 +11,11 @@ from PIL import Image
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.maker.taken import Taken
-from tambour.crochet.page.assembly import _under, assembly
+from tambour.crochet.page.assembly import _sentences, _under, assembly
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.charted import helps
 from tambour.crochet.page.flow import Atom, Chunk, Frame, plan
-from tambour.crochet.page.parts import _hers_of, with_hers
+from tambour.crochet.page.parts import _explained, _hers_of, with_hers
 from tambour.crochet.page.pictures import steps
 from tambour.crochet.page.type import printable
 from tambour.crochet.params import CrochetParams
@@ -232,3 +233,13 @@ def test_signs_without_a_letter_leave_no_gap() -> None:
 def test_parts_are_called_as_they_are_headed() -> None:
     of = book(BEAR.format(sewn="Sew all together.").replace("ARMS (make 2)", "THE BEAR'S ARMS (make 2)"))
     assert of.called("Sew THE BEAR S ARMS to it") == "Sew THE BEAR'S ARMS to it"
+
+
+def test_a_toy_is_dressed_when_it_is_whole_and_in_her_words() -> None:
+    of = book((Path(__file__).parent / "data" / "strangers" / "uk_teddy_barnaby.txt").read_text(encoding="utf-8"))
+    graph, found = of.piece.built.graph, steps(of.piece)
+    assert of.piece.built.pattern.worn and [graph.parts[k].name for k in found[-1].fresh] == ["Scarf"]
+    assert _sentences(of, found)[-1] == ["Tie on the scarf and pour yourself a well-earned cuppa."]
+    assert of.hers is not None and not of.hers.closing and "UK abbreviations" not in of.hers.materials
+    said = [row.words for row in _explained(of, of.said.blocks[-1], with_hers(of, of.said.blocks[-1]))]
+    assert "Use red, 62 ch." in said and not [words for words in said if words.endswith((",.", "turn, ch."))]

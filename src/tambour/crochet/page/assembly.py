@@ -214,6 +214,11 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
         made[i] += map(book.called, book.spoken(ours))
         if ours and book.hers is not None:
             made[i].append(book.own["guess"])
+        if not made[i] and not records and book.hers is not None:
+            names = [n for n in _names(book, step).lower().split(", ") if n]  # "Tie on the scarf", at the end
+            mine = [words for words in book.hers.closing if any(n in words.lower() for n in names)]
+            book.hers.closing[:] = [words for words in book.hers.closing if words not in mine]
+            made[i] = mine
         if not made[i]:
             made[i] = [*map(book.called, book.spoken(records))]
     return made

@@ -231,7 +231,7 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
     end = -1
     for a, b, line in lines:
         plain, gap, end = _plain(line), "\n" in text[end + 1 : a] if end >= 0 else True, b
-        head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip()
+        head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip().removeprefix("uk ").removeprefix("us ")
         by = _BY.match(line) if not made.designer and len(line) < 90 else None
         sentence = line.rstrip().endswith((".", "!", "?")) and len(line.split()) >= _WORDS and not _BULLET.match(line)
         if _ORNAMENT.sub("", plain) == title or not _LETTER.search(plain) or _AD.match(line) or _FOOT.match(line):
@@ -351,7 +351,7 @@ def _clean(words: str) -> str:
         words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
     words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))
     words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
-    words = _ORNAMENT.sub("", words)
+    words = _ORNAMENT.sub("", words).rstrip(",;")
     return words if not words or words[-1] in ".!?:)" or words.isupper() else f"{words}."
 
 

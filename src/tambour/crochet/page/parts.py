@@ -155,9 +155,7 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
         elif row.label and not begun and 2 <= chain <= 9:
             words = own["from chain"].format(n=own["chain places"].split(",")[chain - 1], items=words)
         elif not row.label and not begun and chain:
-            words = words.replace(
-                f", {book.said.terms.sentences['turn']}.", "."
-            )  # the chain is not turned before its first row
+            words = _begun_with(book, words)
         begun = begun or bool(row.label)
         made.append(replace(row, words=words) if words != row.words else row)
     if book.hers is not None and block.part >= 0 and (end := book.taken.end(block.part)):
@@ -167,6 +165,16 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     if (way := _way_up(book, block)) and made:
         made.insert(0, Row("", way, ours=True))
     return made
+
+
+def _begun_with(book: Book, words: str) -> str:
+    """The chain that a piece begins with, in one: it is not turned before its first row, and what lifts the hook there is of it."""
+    turn, ch = re.escape(book.said.terms.sentences["turn"]), re.escape(book.said.terms.word("ch"))
+    found = re.search(rf"(\d+)( {ch}), {turn}(?:, (?:(\d+) )?({ch}))?\.$", words)
+    if found is None:
+        return words
+    more = int(found[3] or 1) if found[4] else 0
+    return f"{words[: found.start()]}{int(found[1]) + more}{found[2]}."
 
 
 def _stuffed(book: Book, block: PartText) -> str:

@@ -84,7 +84,8 @@ def steps(piece: Plush) -> list[Step]:
             else:
                 groups.append(([], [number]))
     across = graph.part[graph.edges[graph.edge_kind == SEWN]]
-    sewn = {k for pair in across.tolist() if pair[0] != pair[1] for k in pair}
+    worn = {names.get(one.part, -1) for one in built.pattern.worn}
+    sewn = worn | {k for pair in across.tolist() if pair[0] != pair[1] for k in pair}
     loose = [k for k in filled if k not in held]
     main = max(loose, key=lambda k: graph.parts[k].end - graph.parts[k].start, default=-1)
     seams: list[tuple[list[int], list[int]]] = []
@@ -97,7 +98,11 @@ def steps(piece: Plush) -> list[Step]:
     first = [k for k in loose if k == main or k not in sewn]
     there, made = [*first, *(arm for k in first for arm in inside.get(k, ()))], []
     face: list[Finish] = [f for f in built.pattern.finish if isinstance(f, Eye)]  # put in while their part is open
-    for parts, records in _in_order([*seams, *groups], first, lambda n: _on(built.pattern.finish[n], names)):
+    last = [g for g in seams if worn & set(g[0])]  # one dresses a toy that is whole
+    sewn_first = [g for g in seams if g not in last]
+    for parts, records in _in_order(
+        [*sewn_first, *groups, *last], first, lambda n: _on(built.pattern.finish[n], names)
+    ):
         there += [*parts, *(arm for k in parts for arm in inside.get(k, ()))]
         face += [built.pattern.finish[n] for n in records if not isinstance(built.pattern.finish[n], (Placed, Eye))]
         # A face is only shown on parts that are there.
