@@ -245,7 +245,7 @@ def _first(
 ) -> tuple[Task, Tried]:
     """The task of a body worked in one piece, with its first rounds, from the tip that the simulation likes best."""
     target = Target.of(x, faces)
-    best: tuple[Task, Tried] | None = None
+    best: tuple[float, Task, Tried] | None = None
     for tip, f in tips.choose(target, plane, params.tip, BEGINNINGS):
         rows = max(3, round(float(f.max()) * stitch[0] / stitch[1]) - 1)
         way = fronts(x, faces, f, rows, tip)
@@ -262,12 +262,11 @@ def _first(
                 task, hollow=(inside[0], len(looks)) if inside[-1] > 0.8 * len(looks) else (inside[0], inside[-1])
             )
         now = tried(task, task.way.girths)
-        again = tried(task, corrected(task, now, STEP))
-        now = again if again.distance.mean < now.distance.mean else now
-        if best is None or now.distance.mean < best[1].distance.mean:
-            best = task, now
+        price = min(now.distance.mean, tried(task, corrected(task, now, STEP)).distance.mean)
+        if best is None or price < best[0]:
+            best = price, task, now
     assert best is not None
-    return best
+    return best[1:]
 
 
 def _way(limb: Limb, stitch: tuple[float, float], long: float) -> Fronts:
