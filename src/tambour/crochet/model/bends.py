@@ -22,6 +22,8 @@ GENTLE = TALLER * 2.0 / math.pi
 """How far a round leans the next one of which half is half double crochet: the first harmonic of the heights around it, in stitches."""
 STEEP = GENTLE * (1.0 + math.sqrt(0.5))
 """The same where the middle half of these is double crochet."""
+RARER, WAYS = 1.2, 12
+"""By what share more is waited for where too many rounds would lean; and in how many directions one leans."""
 LEAST = 0.6
 """A round is worked so where at least such a share of that is wanted."""
 FEWEST = 8
@@ -83,20 +85,34 @@ def needed(made: Tried) -> Array:
     return made_
 
 
-def leaning(bend: Array) -> list[Lean | None]:
-    """Which rounds of ``bend`` (R, 2) lean, and where to: what a round is not worked in time is left to the next."""
+def leaning(bend: Array, most: float = math.inf) -> list[Lean | None]:
+    """Which rounds of ``bend`` (R, 2) lean, ``most`` of them at the most, and where to, in twelfths of a round, that neighbours read
+    alike: what a round is not worked in time is left to the next."""
+    least = LEAST * GENTLE
+    made = _leaning(bend, least)
+    while len(made) - made.count(None) > most:
+        least *= RARER
+        made = _leaning(bend, least)
+    return made
+
+
+def _leaning(bend: Array, least: float) -> list[Lean | None]:
+    """The same where a round leans as soon as ``least`` is wanted."""
     made: list[Lean | None] = []
     left = np.zeros(2)
     for wanted in bend:
         left = left + wanted
         far = float(np.sqrt((left**2).sum()))
-        if far < LEAST * GENTLE:
+        if far < least:
             made.append(None)
             continue
         steep = far > 0.5 * (GENTLE + STEEP)
-        made.append((math.atan2(float(left[1]), float(left[0])) / (2.0 * math.pi) % 1.0, steep))
+        way = round(math.atan2(float(left[1]), float(left[0])) / (2.0 * math.pi) * WAYS) / WAYS
+        made.append((way % 1.0, steep))
+        turn = 2.0 * math.pi * way
+        left = left - (STEEP if steep else GENTLE) * np.array([math.cos(turn), math.sin(turn)])
         # More than a round's own is never made up for.
-        left *= min(max(far - (STEEP if steep else GENTLE), 0.0), GENTLE) / far
+        left *= min(1.0, GENTLE / max(float(np.sqrt((left**2).sum())), 1e-9))
     return made
 
 

@@ -30,6 +30,8 @@ GAIN = 0.004
 BENT, IDLE = 5, 3
 """How often a part's bends are corrected, and the widths of its rounds after each; and after how many times in a row that bring nothing
 that ends."""
+MANY = 2.0
+"""How many rounds of a part that bends lean at the most, against those that may be neither plain nor a repeat."""
 BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 4
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; no more threads than so many are pulled at once."""
@@ -153,14 +155,14 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
     bend, step, idle = np.zeros((len(best.counts), 2)), STEP, 0
     for _ in range(min(BENT, tries)):
         bend = bend + step * bends.needed(now)
-        leans = bends.leaning(bend)
+        leans = bends.leaning(bend, MANY * readable.uneven(task.plain) * len(bend))
         if not any(lean is not None for lean in leans):
             break
         upto = np.cumsum(bends.heights(leans))
         rows = max(3, round(len(task.way.lines) * len(leans) / float(upto[-1])))
         at, own = (np.arange(rows) + 0.5) / rows, (upto - 0.5) / upto[-1]
         bend = np.column_stack([np.interp(at, own, bend[:, k]) for k in range(2)])
-        leans = bends.leaning(bend)
+        leans = bends.leaning(bend, MANY * readable.uneven(task.plain) * rows)
         way = task.lines(bends.heights(leans))
         many = len(way.lines)  # a flat end has some more
         leans, bend = (leans + [None] * many)[:many], np.concatenate([bend, np.zeros((many, 2))])[:many]

@@ -110,7 +110,7 @@ def rounds(
     leave a share EASY (at half of ``plain``) of all of them plain or a repeat, and not more than KINDS different ones: in
     those where most is gained by it. Between them columns of stitches go straight on, and what they are off by adds up.
     """
-    wanted = 1.0 - 2.0 * (1.0 - EASY) * (1.0 - plain)
+    wanted = 1.0 - uneven(plain)
     most = math.inf if plain <= 0.0 else KINDS + (KINDS - FEWEST) * (1.0 - 2.0 * plain)
     low, high = 0, len(GAINS) - 1 if plain > 0.0 else 0
     known: dict[int, tuple[Round, ...]] = {}
@@ -120,6 +120,11 @@ def rounds(
         good = sum(map(easy, made)) >= wanted * len(made) and len({kind(one) for one in made}) <= most
         low, high = (low, middle) if good else (middle + 1, high)
     return known[low] if low in known else _followed(lines, points, GAINS[low], leans)
+
+
+def uneven(plain: float) -> float:
+    """The share of rounds that may be neither plain nor a repeat."""
+    return 2.0 * (1.0 - EASY) * (1.0 - plain) if plain > 0.0 else 1.0
 
 
 def kind(one: Round) -> tuple[str, ...]:

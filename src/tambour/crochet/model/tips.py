@@ -28,7 +28,7 @@ ALIKE = 0.012
 """A model is its own mirror image where that is no farther off than this share of its size, on the average."""
 DEEP, HEAD, FEET = 0.6, 0.15, 0.05
 """An animal is at least so deep for its height, its head lies so far to one end, and what it stands on so far to the other."""
-LOST, WIDE, LEANING, HOLLOW = 4.0, 0.2, 0.1, 4.0
+LOST, WIDE, LEANING, HOLLOW = 4.0, 0.2, 0.5, 4.0
 """What it costs, in stitches that rings are off, that rounds leave all of a surface out, begin twice as wide as a tip is, lean as far as
 can be, and begin inside of a hollow."""
 PAIRED, APART = 3, 0.45
