@@ -14,6 +14,9 @@ from tambour.crochet.printed.tokens import Row, Token
 _HEADED: Final = re.compile(
     r"^(?:[^\w\s]+ )*(?:(?:rnds?|rounds?|rd|r|rows?)(?: [.#])? ?\d+(?: (?:-|–|to|and|&|,|~) (?:r ?)?\d+)*|\d+(?:st|nd|rd|th)?(?: (?:-|–|to|and) \d+(?:st|nd|rd|th)?)? (?:rnds?|rounds?|rows?)?)(?P<behind>.*)$"
 )
+_WRITTEN: Final = re.compile(
+    r"(?:rnds?|rounds?|rows?) (?:\d+ (?:(?:-|to|and) \d+ )?)?[:.=]"
+)  # wherever in a line they stand
 _STITCHES: Final = frozenset("sc dc hdc htr tr ch inc dec sl ss slst blo flo mr in repeat fold with as".split())
 
 
@@ -76,7 +79,8 @@ def told(rows: list[Row]) -> list[Row]:
         if row.tokens and not written
         for s in _sentences(_counted(row.tokens))
     )
-    if found < _FEW or sum(headed) >= found:
+    written = sum(len(_WRITTEN.findall(_words(row.tokens))) for row in rows if row.tokens)
+    if found < _FEW or max(sum(headed), written) >= found:
         return rows
     labelled = sum(1 for row in rows if row.tokens and LABEL.search(_words(_counted(row.tokens)))) >= _FEW
     made: list[Row] = []
