@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from typing import Final
 
+from tambour.crochet.printed.cursor import OPEN
 from tambour.crochet.printed.folded import shut
 from tambour.crochet.printed.postposed import put_before
 from tambour.crochet.printed.spread import spread
@@ -18,7 +20,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
-    tokens = shut(put_before(spread(_had(tokens))))
+    tokens = shut(put_before(spread(_had(_singles(_apart(tokens))))))
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]
@@ -38,6 +40,62 @@ def plain(tokens: list[Token]) -> list[Token]:
             made.append(token)
             at += 1
     return made
+
+
+def _apart(tokens: list[Token]) -> list[Token]:
+    """Stitches with commas between them for other signs, "sc-inc", "2 sc + inc", "sc/dec"."""
+    if not any(t.word in _BETWEEN for t in tokens):
+        return tokens
+    made = list(tokens)
+    for k in range(1, len(tokens) - 1):
+        if tokens[k].word not in _BETWEEN or tokens[k - 1].kind != "stitch":
+            continue
+        behind = tokens[k + 1 : k + 3]
+        counted = len(behind) == 2 and behind[0].kind == "number" and behind[1].kind == "stitch"
+        shapes = [t.value for t in (tokens[k - 1], *behind[: 1 + counted])]
+        if (behind[0].kind == "stitch" or counted) and any(value in _SHAPED for value in shapes):
+            made[k] = replace(tokens[k], word=",")
+    return made
+
+
+_BETWEEN: Final = ("-", "/", "+")
+
+
+def _singles(tokens: list[Token]) -> list[Token]:
+    """Numbers that stand alone beside increases and decreases, "(3, inc) x 6", "4, dec, 5, dec", with the single crochets that they count."""
+    if not any(t.word == "," for t in tokens):
+        return tokens
+    made: list[Token] = []
+    opened = 0
+    for k, token in enumerate(tokens):
+        made.append(token)
+        opened = k if token.word in OPEN else opened
+        after = tokens[k + 1].word if k + 1 < len(tokens) else ""
+        alone = token.kind == "number" and isinstance(token.value, int) and k and tokens[k - 1].word in _BEFORE
+        if not alone or (after not in (",", ")", "]") and not (after in OPEN and _counted(tokens, k + 1))):
+            continue
+        if _listed(tokens, k):
+            made.append(Token("stitch", "sc", token.end, token.end, "sc"))
+    return made
+
+
+def _listed(tokens: list[Token], at: int) -> bool:
+    """Whether the number at ``at`` is one of a list, within its brackets, in which increases or decreases stand between commas."""
+    begin = next((k for k in range(at - 1, -1, -1) if tokens[k].word in (*OPEN, ")", "]", ":", ".", "*")), -1) + 1
+    end = next((k for k in range(at, len(tokens)) if tokens[k].word in (*OPEN, ")", "]", ".", ";", "*")), len(tokens))
+    shaped = [k for k in range(begin, end) if tokens[k].kind == "stitch" and tokens[k].value in _SHAPED]
+    return any(w.word == "," for w in tokens[begin:end]) and any(
+        (k == begin or tokens[k - 1].word == ",") or tokens[k - 1].kind == "number" for k in shaped
+    )
+
+
+def _counted(tokens: list[Token], at: int) -> bool:
+    """Whether a bracket with a number alone stands at ``at``."""
+    return len(tokens) > at + 2 and tokens[at + 1].kind == "number" and tokens[at + 2].word in (")", "]")
+
+
+_SHAPED: Final = ("inc", "dec")
+_BEFORE: Final = (",", "(", "[", ":", "*")
 
 
 def _had(tokens: list[Token]) -> list[Token]:
@@ -211,12 +269,15 @@ def _dashed(tokens: list[Token]) -> tuple[int, int, int] | None:
     return numbers[0], numbers[-1], at
 
 
+_SHAFTS: Final = (">", "-", "=")  # of an arrow
+
+
 def signs(rows: list[Row]) -> list[Row]:
-    """Lines with a count behind signs of their own, ``>>8``, in brackets, and numbers grown behind a stitch, ``inc(8) >>16``, before it."""
+    """Lines with a count behind signs of their own, ``>>8``, ``-> 8``, in brackets, and numbers grown behind a stitch, ``inc(8) >>16``, before it."""
     made = []
     for row in rows:
         tokens = row.tokens
-        if len(tokens) > 3 and tokens[-1].kind == "number" and tokens[-2].word == tokens[-3].word == ">":
+        if len(tokens) > 3 and tokens[-1].kind == "number" and tokens[-2].word == ">" and tokens[-3].word in _SHAFTS:
             number = tokens[-1]
             inner = _grown(tokens[:-3])
             opens, closes = (Token("mark", w, number.start, number.end) for w in "()")

@@ -31,6 +31,7 @@ from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.shorthand import numbered, signs
 from tambour.crochet.printed.stepped import stepped
 from tambour.crochet.printed.tables import tabled
+from tambour.crochet.printed.tallies import tallied
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.told import told
 from tambour.crochet.printed.vocabulary import vocabulary
@@ -102,6 +103,9 @@ class State:
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
             self.rows = told(plainly(self.rows, self.vocabulary))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
+        if not TERMS[self.language.code].prints(source.text.text):
+            called = TERMS[self.language.code].words["round"][0].lower()
+            self.rows = tallied(source.text.text, self.rows, self.vocabulary, called)
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(
             source.text.text

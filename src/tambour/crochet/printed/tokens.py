@@ -22,6 +22,7 @@ _TOKEN: Final = re.compile(
 )
 _TURKISH: Final = str.maketrans("ı", "i", "\u0307")
 _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
+_TICKS: Final = re.compile(r"`(?![^\W\d_])|(?<![^\W\d_])`")  # code in Markdown
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
 _WIDE: Final = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x2192: 0x3A, 0x279C: 0x3A, 0x21D2: 0x3A}
@@ -74,6 +75,7 @@ def rows(text: str) -> list[Row]:
     made: list[Row] = []
     text = _SPLIT.sub(r"   f\1", text)  # places stay as they are
     text = text if text.isascii() else text.translate(_WIDE)
+    text = _TICKS.sub(" ", text)
     tokens: list[Token] = []
     start = last = 0
     for found in _TOKEN.finditer(text):

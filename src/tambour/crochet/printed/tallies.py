@@ -1,0 +1,242 @@
+"""Printed patterns, tallies: what a text has of its own before its rounds and behind them, a sign, a word, a bullet of a symbol font, known by its standing
+in line after line: ``£ Rnd 3``, ``Ring 3:``, ``… ~18``, ``… /18/``, ``… for a total of 18``; put as others do: ``Rnd 3: … (18)``."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections import Counter
+from dataclasses import replace
+from typing import Final
+
+from tambour.crochet.printed.heads import head
+from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.vocabulary import Vocabulary
+
+_RUN: Final = 3  # lines that bear the same sign before it is the text's own
+_SHARE: Final = 0.6  # of the rounds, for signs that mean something else in others
+_SPLIT: Final = re.compile(r"([a-z]{1,5})_?(\d{1,3})_?")
+_UNITS: Final = frozenset("sts st stitch stitches sc dc total altogether loops".split())
+_PHRASE: Final = frozenset(
+    "total totals count for of a now you have get should will be there are makes making make equals is we giving gives "
+    "leaves leaving st sts stitch stitches ends with end result should so that".split()
+)
+_READ: Final = (("-",), ("=",), (":",), (";",), (".",), ("|",))  # signs that every text's counts may have
+_TWICE: Final = frozenset(
+    ("x", "*", "+", "_", "/")
+)  # these bind a number to what is before it, unless they close it too
+_OPENED: Final = {"(": ")", "[": "]", "{": "}", "<": ">", "【": "】", "«": "»"}
+_OWN: Final = frozenset("st sts stitch stitches of a with".split())
+"""These belong to the round, and not to its count, where they stand first."""
+_LONGEST: Final = 6  # words before a count
+_BESIDE: Final = frozenset((",", ""))
+_LETTERS: Final = frozenset("rnd rnds rd round rounds r row rows rondje foundation".split())
+_MOST: Final = 400
+
+
+def tallied(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
+    """``rows`` with the text's own signs as most texts have them. called : the word for a round."""
+    return _counts(text, _heads(text, unpointed(rows), vocabulary, called), vocabulary)
+
+
+def unpointed(rows: list[Row]) -> list[Row]:
+    """``rows`` without what stands before rounds as a list's point: any sign, or the letter that a symbol font has for one."""
+    points: Counter[str] = Counter()
+    for row in rows:
+        if len(row.tokens) > 3 and row.tokens[1].word in _LETTERS and not row.tokens[1].glued:
+            points[row.tokens[0].word] += 1
+    known = {
+        w
+        for w, n in points.items()
+        if n >= _RUN and len(w) == 1 and w not in _OPENED and (w.isalpha() or not w.isalnum())
+    }
+    if not known:
+        return rows
+    return [
+        replace(row, tokens=row.tokens[1:])
+        if len(row.tokens) > 2 and row.tokens[0].word in known and not row.tokens[1].glued
+        else row
+        for row in rows
+    ]
+
+
+def _heads(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
+    """Lines whose numbers follow each other behind the same word or sign, and that work stitches, as rounds."""
+    made = list(rows)
+    run: list[int] = []
+    last, shape = 0, ""
+    found = [_led(text, row.tokens) if row.tokens else None for row in rows]
+    for k in range(len(rows) + 1):
+        one = found[k] if k < len(rows) else None
+        if k < len(rows) and one is None:
+            continue
+        if one is not None and run and one[0] == shape and one[1] == last + 1:
+            run.append(k)
+            last = one[2]
+            continue
+        if len(run) >= _RUN:
+            _renamed(made, run, found, vocabulary, called)
+        run = [k] if one is not None and one[1] == 1 else []
+        if one is not None:
+            shape, last = one[0], one[2]
+    return made
+
+
+_Led = tuple[str, int, int, int, int]
+
+
+def _led(text: str, tokens: list[Token]) -> _Led | None:
+    """What a line has before its number, the first and the last number, and where they and the line's words begin."""
+    at = 0
+    while at < min(4, len(tokens)) and tokens[at].kind != "number":
+        if tokens[at].word in _OPENED or tokens[at].word in (",", ":"):
+            return None
+        grown = _SPLIT.fullmatch(tokens[at].word)
+        if grown and tokens[at].kind == "word" and int(grown[2]) < _MOST:
+            return _ranged(text, tokens, at + 1, int(grown[2]), at, grown[1])
+        at += 1
+    if at >= len(tokens) or tokens[at].kind != "number" or not isinstance(tokens[at].value, int) or at > 3:
+        return None
+    words = [t.word for t in tokens[:at] if t.word not in ("_", "-")]
+    return _ranged(text, tokens, at + 1, tokens[at].value, at, " ".join(words))
+
+
+def _ranged(text: str, tokens: list[Token], at: int, first: int, begin: int, named: str) -> _Led | None:
+    last = first
+    if (
+        at + 1 < len(tokens)
+        and tokens[at].word in ("-", "~", "&", "to", "and")
+        and not (named and tokens[at].word == "-" and not tokens[at].glued)
+    ):
+        grown = _SPLIT.fullmatch(tokens[at + 1].word)
+        value = tokens[at + 1].value if tokens[at + 1].kind == "number" else int(grown[2]) if grown else None
+        if isinstance(value, int) and first < value < _MOST:
+            last, at = value, at + 2
+    signs = []
+    while at < len(tokens) and tokens[at].kind == "mark" and tokens[at].word not in _OPENED and tokens[at].word != "*":
+        signs.append(tokens[at].word)
+        at += 1
+    if not 0 < first <= last < _MOST or at >= len(tokens) or not (named or signs):
+        return None
+    return f"{named}|{''.join(signs)}", first, last, begin, at
+
+
+def _renamed(rows: list[Row], run: list[int], found: list[_Led | None], vocabulary: Vocabulary, called: str) -> None:
+    """Sets the lines of a run as rounds where they work stitches, and are not seen as rounds already."""
+    read = [vocabulary.read(rows[k].tokens) for k in run]
+    seen = [head(tokens) for tokens in read]
+    if sum(one is None for one in seen) < _RUN:
+        return
+    stitches = sum(any(t.kind == "stitch" or t.value in ("ring", "around", "even") for t in tokens) for tokens in read)
+    if stitches < 0.7 * len(run) or not any(t.value in ("ring", "ch") or t.word == "6" for t in read[0]):
+        return
+    for k in run:
+        one = found[k]
+        assert one is not None
+        _, first, last, begin, at = one
+        row, number = rows[k], rows[k].tokens[begin]
+        named = Token("word", called, number.start, number.start, None, False, True)
+        numbers = [Token("number", str(first), number.start, number.end, first)]
+        if last > first:
+            numbers += [
+                Token("mark", "-", number.end, number.end),
+                Token("number", str(last), number.start, number.end, last),
+            ]
+        colon = Token("mark", ":", number.end, number.end, None, True)
+        rows[k] = replace(row, tokens=[named, *numbers, colon, *row.tokens[at:]])
+
+
+def _counts(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
+    """Counts behind rounds, in brackets."""
+    ends: dict[int, tuple[tuple[str, ...], int, int]] = {}
+    rounds = 0
+    for k, row in enumerate(rows):
+        if len(row.tokens) < 3 or not any(c.isdigit() for t in row.tokens[:3] for c in t.word[-1:]):
+            continue
+        read = vocabulary.read(row.tokens)
+        first = head(read)
+        if first is None or first.end >= len(read):
+            continue
+        rounds += 1
+        begin = next((n for n, t in enumerate(row.tokens) if t.start >= read[first.end].start), len(row.tokens))
+        if (end := _behind(row.tokens, begin)) is not None:
+            ends[k] = end
+    many = Counter(shape for shape, _, _ in ends.values())
+    made = list(rows)
+    for k, (shape, at, number) in ends.items():
+        if many[shape] < _RUN or (shape[0] in _BESIDE and many[shape] < _SHARE * rounds):
+            continue
+        row = rows[k]
+        count = row.tokens[number]
+        opens, closes = (Token("mark", sign, count.start, count.end) for sign in "()")
+        made[k] = replace(row, tokens=[*row.tokens[:at], opens, replace(count, glued=True), closes])
+    return made
+
+
+def _behind(tokens: list[Token], begin: int) -> tuple[tuple[str, ...], int, int] | None:
+    """The signs and words about the number that ends a line, where they begin, and where it stands; None where it is a count as
+    every text has it, or none."""
+    end = len(tokens)
+    while end > begin and tokens[end - 1].kind == "mark":
+        end -= 1
+    closing = [t.word for t in tokens[end:] if t.word != "." and unicodedata.category(t.word[0]) != "So"]
+    while end > begin and tokens[end - 1].word in _UNITS and not tokens[end - 1].glued:
+        end -= 1
+    if end > begin and tokens[end - 1].word == "in":  # "in total"
+        end -= 1
+        while end > begin and tokens[end - 1].word in _UNITS:
+            end -= 1
+    number = end - 1
+    if number <= begin or tokens[number].kind != "number" or not isinstance(tokens[number].value, int):
+        return None
+    at = number - (tokens[number - 1].word in (":", "=") and tokens[number - 2].word in _PHRASE and number - 2 > begin)
+    said: list[str] = []
+    while at > begin and tokens[at - 1].word in _PHRASE and len(said) < _LONGEST:
+        said.insert(0, tokens[at - 1].word)
+        at -= 1
+    while said and said[0] in _OWN and said[1:2] != ["count"]:  # "in each st 12", "in the next st for a total of 12"
+        said.pop(0)
+        at += 1
+    opening: list[str] = []
+    while (
+        at > begin
+        and tokens[at - 1].kind == "mark"
+        and tokens[at - 1].word not in (")", "]", "}", '"' if opening else ")")
+    ):
+        if tokens[at - 1].word in ("x",):
+            break
+        opening.insert(0, tokens[at - 1].word)
+        at -= 1
+    if at <= begin:
+        return None
+    before = tokens[at - 1]
+    plain = tuple(opening)
+    if not said and (plain in _READ or (not closing and plain and set(plain) == {"."})):
+        return None
+    if plain and plain[-1] in _OPENED and plain[-1] in "([{<" and closing[:1] == [_OPENED[plain[-1]]]:
+        if len(tokens) - end == len(closing) == 1 and len(plain) == 1 and number == end - 1 and not said:
+            return None  # "(18)" as everywhere
+    elif not plain and not said:
+        if before.kind == "word" and before.word not in (
+            "ring",
+            "mr",
+            "mc",
+            "around",
+            "each",
+            "all",
+            "st",
+            "sts",
+            "round",
+            "times",
+            "stitch",
+        ):
+            return None
+        if before.kind == "mark" and before.word in ("x", "*"):
+            return None
+        return ("", *closing), at, number
+    elif plain and plain[0] in _TWICE and plain[0] not in closing and not (len(plain) > 1 or said):
+        if plain[0] != "/":
+            return None
+    elif plain == ("#",) and before.word in _LETTERS:
+        return None
+    return (*(plain or ("",)), *said, *closing) if plain else (f"~{' '.join(said)}", *closing), at, number
