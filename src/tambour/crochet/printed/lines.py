@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.cursor import OPEN
@@ -119,4 +120,7 @@ def rounds(tokens: list[Token]) -> bool:
     """Whether the text after a bare number is a round's."""
     words = [t for t in tokens if t.kind != "mark"]
     known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
-    return any(t.kind == "stitch" for t in words) and known * 3 >= len(words) * 2
+    ringed = any(
+        {a.value, b.kind} == {"ring", "number"} or {b.value, a.kind} == {"ring", "number"} for a, b in pairwise(words)
+    )
+    return (ringed or any(t.kind == "stitch" for t in words)) and known * 3 >= len(words) * 2

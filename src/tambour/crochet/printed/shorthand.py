@@ -20,7 +20,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
-    tokens = shut(put_before(spread(_had(_singles(_apart(tokens))))))
+    tokens = shut(put_before(spread(_had(_grouped(_singles(_apart(tokens)))))))
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]
@@ -77,6 +77,43 @@ def _singles(tokens: list[Token]) -> list[Token]:
         if _listed(tokens, k):
             made.append(Token("stitch", "sc", token.end, token.end, "sc"))
     return made
+
+
+def _grouped(tokens: list[Token]) -> list[Token]:
+    """``sc, inc x 6 (18)`` with its brackets, where only all of it so often makes the round's own count."""
+    tail = len(tokens) - 3
+    if tail < 5 or tokens[tail].word != "(" or tokens[tail + 1].kind != "number" or tokens[-1].word != ")":
+        return tokens
+    begin = next((k for k in range(tail - 1, -1, -1) if tokens[k].word == ":"), -1) + 1
+    end = tail - (tokens[tail - 1].word == ")" and tokens[tail - 4].word == "(")
+    if end < 2 or tokens[end - 1].kind != "number" or tokens[end - 2].word not in ("x", "*"):
+        return tokens
+    many = tokens[end - 1].value
+    last = end - 2 - (end < tail)
+    pieces: list[list[Token]] = [[]]
+    for token in tokens[begin:last]:
+        if token.word == ",":
+            pieces.append([])
+        else:
+            pieces[-1].append(token)
+    made = [_makes(piece) for piece in pieces]
+    if len(made) < 2 or 0 in made or not isinstance(many, int):
+        return tokens
+    if sum(made[:-1]) + many * made[-1] == tokens[tail + 1].value or many * sum(made) != tokens[tail + 1].value:
+        return tokens
+    opens, closes = (
+        Token("mark", sign, tokens[at].start, tokens[at].start) for sign, at in (("(", begin), (")", last))
+    )
+    return [*tokens[:begin], opens, *tokens[begin:last], closes, tokens[end - 2], tokens[end - 1], *tokens[tail:]]
+
+
+def _makes(piece: list[Token]) -> int:
+    """How many stitches "2 sc", "sc 2", "inc" makes; 0 for anything else."""
+    numbers = [t.value for t in piece if t.kind == "number" and isinstance(t.value, int)]
+    stitches = [t.value for t in piece if t.kind == "stitch"]
+    if len(stitches) != 1 or len(numbers) > 1 or len(piece) != len(numbers) + 1:
+        return 0
+    return (numbers or [1])[0] * {"inc": 2, "dec": 1, "sc": 1, "hdc": 1, "dc": 1}.get(stitches[0], 0)
 
 
 def _listed(tokens: list[Token], at: int) -> bool:

@@ -34,6 +34,7 @@ from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tallies import tallied
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.told import told
+from tambour.crochet.printed.twofold import once
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wrapping import unwrapped
 from tambour.crochet.words.phrases import Phrases
@@ -94,7 +95,7 @@ class State:
 
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
-        self.rows = signs(first(numbered(leaves(source.text.text, rows(source.text.text)))))
+        self.rows = once(signs(first(numbered(leaves(source.text.text, rows(source.text.text))))))
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)

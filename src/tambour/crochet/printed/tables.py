@@ -37,6 +37,9 @@ def tabled(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
             counted = titled is not None and titled[1]
             first = titled is not None and titled[0]
             ruled = any(t.word == "|" for t in rows[run[0]].tokens)
+            if hued := _hued(rows[k].tokens) if titled is not None and ruled else 0:
+                for at in run:
+                    made[at] = _dyed(made[at], hued)
             for n, at in enumerate(run if first or not ruled else []):
                 _set(text, made, at, run[n + 1] if n + 1 < len(run) else at + 2, counted, first, called)
             if known and (first or not ruled):
@@ -62,6 +65,29 @@ def _titles(tokens: list[Token], vocabulary: Vocabulary) -> tuple[bool, bool] | 
     if not counts and not said:
         return None
     return bool(counts and said and counts[0] < said[0]), bool(counts)
+
+
+def _hued(titles: list[Token]) -> int:
+    """How many columns stand before the one of colours; 0 for none."""
+    before = [t.word for t in titles]
+    at = next((k for k, word in enumerate(before) if word in _HUES), 0)
+    return before[:at].count("|")
+
+
+def _dyed(row: Row, hued: int) -> Row:
+    """A row with its colour as a word of its round: ``8-11 | DG | sc around | 42`` as "8-11 | with DG, sc around | 42"."""
+    bars = [k for k, t in enumerate(row.tokens) if t.word == "|"]
+    if len(bars) < hued + 1 or not 0 < bars[hued] - bars[hued - 1] - 1 <= _NAMED:
+        return row
+    begin, end = bars[hued - 1] + 1, bars[hued]
+    place = row.tokens[begin]
+    led = Token("word", "with", place.start, place.start)
+    stop = replace(row.tokens[end], word=",")
+    return replace(row, tokens=[*row.tokens[:begin], led, *row.tokens[begin:end], stop, *row.tokens[end + 1 :]])
+
+
+_HUES: Final = frozenset("color colour colors colours yarn farbe couleur kleur".split())
+_NAMED: Final = 3  # words of a colour
 
 
 def _run(rows: list[Row], at: int, vocabulary: Vocabulary) -> list[int]:
