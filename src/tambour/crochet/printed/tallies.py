@@ -19,7 +19,7 @@ _SPLIT: Final = re.compile(r"([a-z]{1,5})_?(\d{1,3})_?")
 _UNITS: Final = frozenset("sts st stitch stitches sc dc total altogether loops".split())
 _PHRASE: Final = frozenset(
     "total totals count for of a now you have get should will be there are makes making make equals is we giving gives "
-    "leaves leaving st sts stitch stitches ends with end result should so that".split()
+    "leaves leaving st sts stitch stitches that".split()
 )
 _READ: Final = (("-",), ("=",), (":",), (";",), (".",), ("|",))  # signs that every text's counts may have
 _TWICE: Final = frozenset(
