@@ -69,7 +69,8 @@ _SIGNS: Final = "\\s~=_|\u2500-\u27bf\ufe0f\U0001f300-\U0001faff"
 _ORNAMENT: Final = re.compile(rf"^[{_SIGNS}]+|[{_SIGNS}]+$")
 """What lines are decorated with: rules, hearts, boxes, flowers."""
 _FOOT: Final = re.compile(
-    r"^.{0,70}(?:\bpage|\bseite|\bpágina|\bpagina|\bp\.)\s*\d+(?:\s*(?:of|/|von|de|sur|van)\s*\d+)?\W*$", re.IGNORECASE
+    r"^(?!\W*(?:see|refer|turn|go|as|cut|use|follow)\b).{0,70}(?:\bpage|\bseite|\bpágina|\bpagina|\bp\.)\s*\d+(?:\s*(?:of|/|von|de|sur|van)\s*\d+)?\W*$",
+    re.IGNORECASE,
 )
 """The foot of a page, amid the text."""
 _REST: Final = re.compile(

@@ -103,7 +103,7 @@ def count(r: Reader, found: list[Item]) -> bool:
         return False
     alone = c.mark(".", "|", ";", "-", ")", "]", ahead=-1) or c.key("join", "turn", "around", ahead=-1)
     alone = alone or (
-        c.mark(",", ahead=-1) and c.key("join", ahead=-2) and any(map(makes, found))
+        c.mark(",", ahead=-1) and c.key("join", ahead=-2) and not c.key("as", ahead=-3) and any(map(makes, found))
     )  # "join, 6 sc and 6 chs"
     if not sign and not c.key("stitch", "total", ahead=1) and not alone:
         return False
