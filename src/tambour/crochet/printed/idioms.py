@@ -36,7 +36,7 @@ _IDIOMS: Final = tuple(
         (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:front|near) (?:half )?(?:walls?|threads?|strands?|halves|half ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in flo"),
         (rf"(?:dial|dials|type|recruit|collect|gain|cast on|cast|set) (\d+) ({_CHAINS})", "ch {1}"),
         (rf"(?:from|in|into|starting from|starting in) (?:the )?({_NTH}) (?:loop|link|air loop) from (?:the )?hook", "in {1} ch from hook"),
-        (r"(?:knit|knitting|tie) (\d+|a|one|around|in)", "{1}"),
+        (r"(?:knit|knitting) (\d+|a|one|around|in)", "{1}"),
         (r"in (?:one|1|the same) (?:loop|column)", "in same st"),
         (r"to (?:the )?end of (?:the )?(?:row|round|circle)", "around"),
         (r"(?:with|by) (?:a )?(?:connecting|half) (?:post|column|loop)", "with sl st"),

@@ -66,7 +66,7 @@ def put_before(tokens: list[Token]) -> list[Token]:
             and token.value == "each"
             and after.value == "next"
             and at + 2 < len(tokens)
-            and _place(tokens[at + 2])
+            and tokens[at + 2].value == "ch"
         ):
             made.append(token)
             at += 2  # "in elke volgende l"

@@ -30,6 +30,8 @@ _OWN: Final = frozenset("st sts stitch stitches of a with".split())
 """These belong to the round, and not to its count, where they stand first."""
 _LONGEST: Final = 6  # words before a count
 _BESIDE: Final = frozenset((",", ""))
+_YARNS: Final = frozenset("with color colour yarn using join in make size to".split())  # "With Color 2, ch 6"
+_APART: Final = 5  # lines from one round to the next
 _LETTERS: Final = frozenset("rnd rnds rd round rounds r row rows rondje foundation".split())
 _MOST: Final = 400
 
@@ -70,7 +72,7 @@ def _heads(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> l
         one = found[k] if k < len(rows) else None
         if k < len(rows) and one is None:
             continue
-        if one is not None and run and one[0] == shape and one[1] == last + 1:
+        if one is not None and run and one[0] == shape and one[1] == last + 1 and k - run[-1] <= _APART:
             run.append(k)
             last = one[2]
             continue
@@ -98,6 +100,8 @@ def _led(text: str, tokens: list[Token]) -> _Led | None:
     if at >= len(tokens) or tokens[at].kind != "number" or not isinstance(tokens[at].value, int) or at > 3:
         return None
     words = [t.word for t in tokens[:at] if t.word not in ("_", "-")]
+    if any(word in _YARNS for word in words):
+        return None
     return _ranged(text, tokens, at + 1, tokens[at].value, at, " ".join(words))
 
 
