@@ -72,7 +72,8 @@ def _singles(tokens: list[Token]) -> list[Token]:
         opened = k if token.word in OPEN else opened
         after = tokens[k + 1].word if k + 1 < len(tokens) else ""
         alone = token.kind == "number" and isinstance(token.value, int) and k and tokens[k - 1].word in _BEFORE
-        if not alone or (after not in (",", ")", "]") and not (after in OPEN and _counted(tokens, k + 1))):
+        starred = after == "*" and any(t.word == "*" for t in tokens[:k])
+        if not alone or not (after in (",", ")", "]") or starred or (after in OPEN and _counted(tokens, k + 1))):
             continue
         if _listed(tokens, k):
             made.append(Token("stitch", "sc", token.end, token.end, "sc"))

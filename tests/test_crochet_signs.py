@@ -1,0 +1,328 @@
+"""Printed patterns: one ball in every way that people write its rounds, their counts and their stitches is one and the same ball."""
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
+from tambour.crochet.printed.choose import read
+
+COUNTS = [6, 12, 18, 18, 12]
+NTH = [("1st", "One"), ("2nd", "Two"), ("3rd", "Three"), ("4th", "Four"), ("5th", "Five")]
+HEADS = [
+    "Rnd {n}: ",
+    "Rnd {n}. ",
+    "Rnd {n} - ",
+    "Rnd {n} – ",
+    "Rnd {n}) ",
+    "Rnd. {n}: ",
+    "R{n}: ",
+    "R{n}. ",
+    "R{n} - ",
+    "R{n}) ",
+    "R{n} ",
+    "R {n}: ",
+    "r{n}: ",
+    "Round {n}: ",
+    "Round {n}. ",
+    "Round {n} ",
+    "ROUND {n}: ",
+    "Rd {n}: ",
+    "Rd. {n}: ",
+    "RND{n}: ",
+    "Row {n}: ",
+    "Row{n}. ",
+    "{n}. ",
+    "{n}) ",
+    "{n}: ",
+    "{n} - ",
+    "({n}) ",
+    "[{n}] ",
+    "{n}.) ",
+    "{n}# ",
+    "#{n}: ",
+    "#{n} ",
+    "{o} round: ",
+    "{o} rnd. ",
+    "{o} Round - ",
+    "{o} rnd ",
+    "{n} rnd: ",
+    "{n} round. ",
+    "{n} row - ",
+    "{n}R: ",
+    "Rnd #{n}: ",
+    "Round no. {n}: ",
+    "Round No {n} - ",
+    "Rnd {n} | ",
+    "- Rnd {n}: ",
+    "• R{n}: ",
+    "✿ Rnd {n}: ",
+    "→ R{n}: ",
+    "☐ R{n}: ",
+    "[ ] R{n}: ",
+    "- [ ] R{n}: ",
+    "* **Rnd {n}:** ",
+    "**R{n}** ",
+    "_R{n}_ ",
+    "> R{n}: ",
+    "£ Rnd {n}: ",
+    "n Rnd {n}: ",
+    "l R{n}: ",
+    "Rnd {n} = ",
+    "Rnd {n} > ",
+    "Rnd {n}, ",
+    "Rnd{n}/ ",
+    "R{n} // ",
+    "R{n}; ",
+    "R{n}... ",
+    "R{n}.... ",
+    "Ring {n}: ",
+    "Circle {n}: ",
+    "V{n}: ",
+    "T{n}: ",
+    "Step {n}: ",
+    "Line {n}: ",
+    "Rnd {n} (RS): ",
+    "Rnd {n} (pink): ",
+    "Rnd {n} [pink]: ",
+    "Rnd {n} in pink: ",
+    "Rnd {n}, pink: ",
+    "Rnd {n} - pink: ",
+    "Rnd {w}: ",
+    "Round {w}: ",
+    "R-{n}: ",
+    "R_{n}: ",
+    "Rnd\xa0{n}:\xa0",
+    "Rnd\t{n}\t",
+    "Rnd {n} :",
+    "Rnd{n}:",
+    "R{n}.- ",
+]
+"""What stands before a round: its number as n, as o "1st", as w "One"."""
+BEHIND = [
+    " ({c})",
+    " [{c}]",
+    " {{{c}}}",
+    " <{c}>",
+    " ({c} sts)",
+    " ({c} sc)",
+    " ({c} st)",
+    " ({c}st)",
+    " ({c} stitches)",
+    " ({c} total)",
+    " (total {c})",
+    " (total: {c})",
+    " (={c})",
+    " (= {c})",
+    " ={c}",
+    " = {c}",
+    " = {c} sts",
+    ", {c}",
+    ", {c} sts",
+    " - {c}",
+    " – {c}",
+    " — {c}",
+    " -- {c}",
+    " - {c} sts",
+    "; {c}",
+    ". {c}",
+    ". {c} sts.",
+    ": {c}",
+    "… {c}",
+    "... {c}",
+    " ..... {c}",
+    " ~{c}",
+    " ~ {c}",
+    " /{c}/",
+    " / {c}",
+    " // {c}",
+    " |{c}|",
+    " | {c}",
+    " \\ {c}",
+    " *{c}*",
+    " **{c}**",
+    " **({c})**",
+    " _{c}_",
+    ' "{c}"',
+    " #{c}",
+    " → {c}",
+    " -> {c}",
+    " => {c}",
+    " >> {c}",
+    " > {c}",
+    " «{c}»",
+    " ≡ {c}",
+    " •{c}",
+    " {c}",
+    " {c} sts",
+    " {c}st",
+    " total {c}",
+    " total: {c}",
+    " Total = {c}",
+    " st count {c}",
+    " Stitch count: {c}",
+    " ({c}) ✓",
+    " {c} in total",
+    " You have {c} sts.",
+    " you should have {c} stitches",
+    " -- you now have {c} stitches",
+    " makes {c}",
+    " for {c}",
+    " for a total of {c}",
+    " for a total of {c} sts",
+    " ({c} sts total)",
+    " ({c} sc in total)",
+    " (should be {c})",
+    " ({c} inc)",
+    " [{c} sts]",
+    " ({c}x)",
+    " ({c}sc)",
+    " \n({c})",
+    " \n= {c} sts",
+    " 【{c}】",
+    " （{c}）",
+    " ({c}).",
+    " ({c});",
+    " ({c}),",
+    " .({c})",
+    " :({c})",
+    " -({c})",
+    " =({c})",
+    " =[{c}]",
+    " ",
+]
+"""What stands behind a round: its count as c."""
+WORDS = [
+    ("6 sc in magic ring", "2 sc in each st", "(1 sc, inc) x 6", "sc in each st", "(1 sc, dec) x 6"),
+    ("6 sc in MR", "inc x 6", "(sc, inc) x 6", "sc around", "(sc, dec) x 6"),
+    ("MR 6", "6 inc", "(1, inc) x 6", "18 sc", "(1, dec) x 6"),
+    ("mr 6", "inc*6", "(1 sc, inc)*6", "sc 18", "(1 sc, dec)*6"),
+    ("6x in MR", "6V", "(x, V)*6", "18x", "(x, A)*6"),
+    ("6X", "6V", "6(X,V)", "18X", "6(X,A)"),
+    ("magic ring, 6 sc", "inc in every st", "*sc, inc* repeat 6 times", "sc in every st", "*sc, dec* repeat 6 times"),
+    (
+        "magic ring with 6 sc",
+        "inc around",
+        "*sc, inc; repeat from * around",
+        "sc in all sts",
+        "*sc, dec; repeat from * around",
+    ),
+    (
+        "start with a magic ring of 6 sc",
+        "increase in every stitch",
+        "[sc in next st, inc in next st] 6 times",
+        "single crochet around",
+        "[sc in next st, dec over next 2 sts] 6 times",
+    ),
+    ("6sc into magic circle", "6inc", "{1sc, 1inc} 6x", "18sc", "{1sc, 1dec} 6x"),
+    ("6 sc in the ring", "(inc) x6", "(sc 1, inc 1) x6", "sc in each stitch around", "(sc 1, dec 1) x6"),
+    (
+        "Make a magic circle with 6 single crochets",
+        "Increase x 6",
+        "Single crochet 1, increase. Repeat 6 times",
+        "Single crochet 18",
+        "Single crochet 1, decrease. Repeat 6 times",
+    ),
+    ("6 sc in MC", "inc all around", "sc in next st, inc; rep around", "sc even", "sc in next st, dec; rep around"),
+    ("6 sc in AMR", "6 incs", "sc, inc x 6", "sc evenly around", "sc, dec x 6"),
+    ("6sc in magic loop", "2sc in each", "(1sc, 2sc in next) 6 times", "1sc in each", "(1sc, sc2tog) 6 times"),
+    ("6 sc in ring", "6 x inc", "6 x (sc, inc)", "18 x sc", "6 x (sc, dec)"),
+    ("6 sc in magic ring", "*inc* x 6", "*1 sc, 1 inc* x 6", "sc in each st around", "*1 sc, 1 dec* x 6"),
+    (
+        "6 sc in magic ring",
+        "(2 sc in next st) repeat around",
+        "(sc in next st, 2 sc in next st) repeat around",
+        "sc in next 18 sts",
+        "(sc in next st, sc2tog) repeat around",
+    ),
+    (
+        "6 sc in magic ring",
+        "inc in each of the 6 sts",
+        "sc in first st, inc in next, rep to end of round",
+        "sc in each of the 18 sts",
+        "sc in first st, dec over next two, rep to end of round",
+    ),
+]
+"""Five rounds: a ring of six, increases, a repeat, a plain round, a repeat with decreases."""
+
+
+def ball(head: str, behind: str, words: tuple[str, ...]) -> str:
+    rounds = (head.format(n=k + 1, o=NTH[k][0], w=NTH[k][1]) + words[k] + behind.format(c=COUNTS[k]) for k in range(5))
+    return "BODY\n" + "\n".join(rounds) + "\nFasten off.\n"
+
+
+def edges(text: str) -> tuple[list[int], int]:
+    pattern = read(Text(text, "ball.txt"))
+    built = pattern.built or build(pattern)
+    return [w.made for w in built.worked if w.line.in_round], len(pattern.unread)
+
+
+@pytest.mark.parametrize("head", HEADS)
+def test_rounds_are_headed_as_anybody_likes(head: str) -> None:
+    assert edges(ball(head, " ({c})", WORDS[0])) == (COUNTS, 0)
+
+
+@pytest.mark.parametrize("behind", BEHIND)
+def test_counts_stand_as_anybody_likes(behind: str) -> None:
+    assert edges(ball("Rnd {n}: ", behind, WORDS[0])) == (COUNTS, 0)
+
+
+@pytest.mark.parametrize("words", WORDS, ids=lambda words: words[2])
+def test_stitches_are_said_as_anybody_likes(words: tuple[str, ...]) -> None:
+    assert edges(ball("R{n}: ", " ({c})", words)) == (COUNTS, 0)
+
+
+@pytest.mark.parametrize("point", ["£ ", "n ", "l ", "¨ ", "q "])
+def test_a_sign_that_begins_line_after_line_is_a_lists_point(point: str) -> None:
+    body = f"{point}Foundation rnd: 6dc in ring. Six sts\n{point}Rnd 1: 2dc in each st to end. 12 sts\n{point}Rnds 2-4: 1dc in each st to end\n"
+    text = f"HEAD\nUsing yarn B, make a magic ring\n{body}{point}Rnd 5: (1dc, dc2tog) to end. Eight sts\nFasten off. UK terms.\n"
+    assert edges(text)[0] == [6, 12, 12, 12, 12, 8]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("6dc (6sc) into loop", "2dc (2sc) in each st", "[1dc (sc) in next st, 2dc (2sc) in next st] 6 times", "1dc (sc) in each st", "[1dc (sc) in next st, dc2tog (sc2tog)] 6 times"),
+        ("6 dc (sc) into ring", "2 dc (sc) in each dc (sc)", "[1 dc (sc), 2 dc (sc) in next dc (sc)] 6 times", "1 dc (sc) in each dc (sc)", "[1 dc (sc), dc2tog (sc2tog)] 6 times"),
+    ],
+)  # fmt: skip
+def test_stitches_said_twice_are_worked_once(words: tuple[str, ...]) -> None:
+    text = "UK terms, with US terms in brackets.\nMake a magic loop.\n" + ball("{o} Round: ", ". {c} sts.", words)
+    assert edges(text) == (COUNTS, 0)
+
+
+@pytest.mark.parametrize(
+    ("said", "made"),
+    [
+        ("R3: 3, inc, 4, inc, 3 (14)", 14),
+        ("R3: (3, inc) x 3 (15)", 15),
+        ("R3: *dec, 2* x 3 (9)", 9),
+        ("R3: sc, inc x 6 (18)", 18),
+        ("R3: sc 5, inc x 2, sc 5 (14)", 14),
+        ("R3: sc 11, inc x 1 (13)", 13),
+    ],
+)
+def test_numbers_beside_increases_are_single_crochets(said: str, made: int) -> None:
+    assert edges(f"LEG\nR1: 6 in mr (6)\nR2: inc x 6 (12)\n{said}\n") == ([6, 12, made], 0)
+
+
+def test_numbers_of_yarns_begin_no_rounds() -> None:
+    parts = "".join(
+        f"\n{name}\nWith Color {k}, ch 6.\nRow 1: 1 sc in 2nd ch from hook and in each ch across. 5 sc.\n"
+        for k, name in enumerate(("Beak", "Comb", "Wattle"), 1)
+    )
+    assert edges(parts)[0] == [5, 5, 5]
+
+
+def test_a_tables_column_of_colours_dyes_its_rounds() -> None:
+    table = "| Rnd | Color | Instruction | Sts |\n|---|---|---|---|\n| 1 | pink | mr 6 | 6 |\n| 2 | pink | inc * 6 | 12 |\n| 3-4 | red | sc around | 12 |\n"
+    pattern = read(Text(f"BODY\n\n{table}", "turtle.txt"))
+    built = pattern.built or build(pattern)
+    assert [w.made for w in built.worked] == [6, 12, 12, 12] and not pattern.unread
+    hues = {
+        i.numbers
+        for part in pattern.parts
+        for line in part.lines
+        for i in line.items
+        if getattr(i, "name", "") == "color"
+    }
+    assert len(hues) == 2
