@@ -105,6 +105,13 @@ def stoppable() -> Iterator[None]:
         signal.signal(number, leave)
     try:
         yield
+    except Exception as error:  # an extension that was being imported says that its import failed, because of the signal
+        cause: BaseException | None = error
+        while cause is not None and not isinstance(cause, Stopped):
+            cause = cause.__cause__ or cause.__context__
+        if cause is None:
+            raise
+        raise cause from None
     finally:
         for number, handler in before.items():
             signal.signal(number, signal.SIG_DFL if handler is None else handler)

@@ -50,6 +50,7 @@ _TENS: Final = {w: 10 * n for n, w in enumerate("twenty thirty forty fifty sixty
 _TEENS: Final = {
     w: n for n, w in enumerate("thirteen fourteen fifteen sixteen seventeen eighteen nineteen".split(), 13)
 }
+_NAMED: Final = frozenset((*_TENS, *_TEENS))
 _ONES: Final = {w: n for n, w in enumerate("one two three four five six seven eight nine".split(), 1)}
 _SPECIAL: Final = re.compile(r"^to (?:work|make) (?:1|one|a|an|the) (\w+) [.:-]+(.*)$")
 _DROPPED: Final = ("slip loop", "drop", "off hook", "off the hook", "remove hook", "take hook")
@@ -72,7 +73,7 @@ _LOOKED_AT: Final = 100  # lines
 
 def _numbered(tokens: list[Token]) -> list[Token]:
     """``sixty-one``, ``twenty four`` and ``sixteen`` as numbers."""
-    if not any(t.word in _TENS or t.word in _TEENS for t in tokens):
+    if not _NAMED.intersection([t.word for t in tokens]):
         return tokens
     made: list[Token] = []
     at = 0
@@ -95,15 +96,17 @@ def _row(row: Row) -> Row:
     tokens = row.tokens
     flat = any(t.word in _ROWS for t in tokens[:6])
     tokens = _numbered(tokens)
-    tokens = _put(tokens, _AS, "as {1} row" if flat else "as {1} round")
-    for said, meant in _IDIOMS:
-        tokens = _put(tokens, said, meant)
+    words = " ".join([t.word for t in tokens])
+    for said, meant in ((_AS, "as {1} row" if flat else "as {1} round"), *_IDIOMS):
+        if said.search(words):
+            tokens = _put(tokens, said, meant)
+            words = " ".join([t.word for t in tokens])
     return row if tokens is row.tokens else replace(row, tokens=tokens)
 
 
 def _put(tokens: list[Token], said: re.Pattern[str], meant: str) -> list[Token]:
     """``tokens`` with what ``said`` finds in their words as ``meant``, whose numbers in braces are its groups."""
-    words = " ".join(t.word for t in tokens)
+    words = " ".join([t.word for t in tokens])
     found = list(said.finditer(words))
     if not found:
         return tokens

@@ -44,7 +44,7 @@ def plain(tokens: list[Token]) -> list[Token]:
 
 def _apart(tokens: list[Token]) -> list[Token]:
     """Stitches with commas between them for other signs, "sc-inc", "2 sc + inc", "sc/dec"."""
-    if not any(t.word in _BETWEEN for t in tokens):
+    if _BETWEEN.isdisjoint({t.word for t in tokens}):
         return tokens
     made = list(tokens)
     for k in range(1, len(tokens) - 1):
@@ -58,24 +58,24 @@ def _apart(tokens: list[Token]) -> list[Token]:
     return made
 
 
-_BETWEEN: Final = ("-", "/", "+")
+_BETWEEN: Final = frozenset("-/+")
 
 
 def _singles(tokens: list[Token]) -> list[Token]:
     """Numbers that stand alone beside increases and decreases, "(3, inc) x 6", "4, dec, 5, dec", with the single crochets that they count."""
-    if not any(t.word == "," for t in tokens):
+    if "," not in {t.word for t in tokens}:
         return tokens
     made: list[Token] = []
-    opened = 0
     for k, token in enumerate(tokens):
         made.append(token)
-        opened = k if token.word in OPEN else opened
         after = tokens[k + 1].word if k + 1 < len(tokens) else ""
-        alone = token.kind == "number" and isinstance(token.value, int) and k and tokens[k - 1].word in _BEFORE
-        starred = after == "*" and any(t.word == "*" for t in tokens[:k])
-        if not alone or not (after in (",", ")", "]") or starred or (after in OPEN and _counted(tokens, k + 1))):
+        if token.kind != "number" or not k or tokens[k - 1].word not in _BEFORE or not isinstance(token.value, int):
             continue
-        if _listed(tokens, k):
+        if tokens[k - 1].word == "*" and k > 1 and tokens[k - 2].word not in (",", ":", "."):
+            continue  # "(V, 2X) * 5, V"
+        starred = after == "*" and any(t.word == "*" for t in tokens[:k])
+        stands = after in (",", ")", "]") or starred or (after in OPEN and _counted(tokens, k + 1))
+        if stands and _listed(tokens, k):
             made.append(Token("stitch", "sc", token.end, token.end, "sc"))
     return made
 

@@ -41,7 +41,8 @@ def _again(tokens: list[Token]) -> list[tuple[int, int]]:
     for k in range(1, len(tokens) - 2):
         if tokens[k].word != "(":
             continue
-        close = next((n for n in range(k + 1, min(k + 4, len(tokens))) if tokens[n].word == ")"), 0)
+        ends = [t.word for t in tokens[k + 1 : k + 4]]
+        close = k + 1 + ends.index(")") if ")" in ends else 0
         inner = tokens[k + 1 : close]
         before = tokens[k - 1]
         if not close or not inner or before.kind not in ("word", "number"):

@@ -33,7 +33,7 @@ OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
-ERECT = 1.1
+ERECT = 1.2
 """How far stitches' legs are brought upright for what their column does not lean, in times of that: not quite all of it shows."""
 MOST = 0.5
 """Legs are brought upright by so much at the most, in widths over a stitch's height."""
