@@ -11,7 +11,13 @@ from tambour.crochet.printed.choose import read
 
 DATA = Path(__file__).parent / "data"
 FOLDER = DATA / "habits"
-SHARES = [("habits", "b*", 0.92), ("habits", "[!b]*", 0.91), ("strangers", "*", 0.93), ("fresh", "*", 0.9)]
+SHARES = [
+    ("habits", "b*", 0.92),
+    ("habits", "[!b]*", 0.91),
+    ("strangers", "*", 0.93),
+    ("fresh", "*", 0.93),
+    ("unseen", "*", 0.78),
+]
 """Which texts, and what share of their rounds was read right; it may only rise."""
 PLANTED = {  # text → the count that is wrong in it, and what its round makes
     "b06_en_markdown_elephant.txt": (30, 32),

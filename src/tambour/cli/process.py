@@ -105,7 +105,9 @@ def stoppable() -> Iterator[None]:
         signal.signal(number, leave)
     try:
         yield
-    except Exception as error:  # an extension that was being imported says that its import failed, because of the signal
+    except (
+        Exception
+    ) as error:  # an extension that was being imported says that its import failed, because of the signal
         cause: BaseException | None = error
         while cause is not None and not isinstance(cause, Stopped):
             cause = cause.__cause__ or cause.__context__
