@@ -105,9 +105,7 @@ def stoppable() -> Iterator[None]:
         signal.signal(number, leave)
     try:
         yield
-    except (
-        Exception
-    ) as error:  # an extension that was being imported says that its import failed, because of the signal
+    except Exception as error:  # an extension whose import the signal broke off says only that it failed
         cause: BaseException | None = error
         while cause is not None and not isinstance(cause, Stopped):
             cause = cause.__cause__ or cause.__context__
