@@ -6,17 +6,16 @@ import re
 from dataclasses import dataclass, field
 from typing import Final
 
+from tambour.crochet.words.numbers import NUMBERS
+
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
     r"fit(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )
 """Words that put something somewhere."""
-_NUMBERS: Final = {
-    w: k for k, w in enumerate("zero one two three four five six seven eight nine ten eleven twelve".split())
-}
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
-N: Final = r"(?:\d+(?:\.\d+)?|one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve)"
+N: Final = rf"(?:\d+(?:\.\d+)?|{'|'.join(NUMBERS)})"
 _ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 _ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
 _LENGTH: Final = r"(\d+(?:[.,]\d+)?(?:\s*[½¼¾⅓⅛⅜⅝⅞]|[- ]\d/\d)?|[½¼¾⅓⅛⅜⅝⅞])\s*-?(mm|cm|inch(?:es)?|in\b|\"|”|″|'')"
@@ -169,7 +168,7 @@ def where(text: str) -> Where:
 
 def number(word: str) -> float:
     """A number in figures or words."""
-    return float(_NUMBERS[word]) if word in _NUMBERS else float(word)
+    return float(NUMBERS[word]) if word in NUMBERS else float(word)
 
 
 def length(words: str, unit: str) -> float:

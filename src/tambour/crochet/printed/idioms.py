@@ -9,6 +9,7 @@ from typing import Final
 
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
+from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
 
 _NTH: Final = r"\d+(?:st|nd|rd|th)|first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
 _CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
@@ -21,8 +22,8 @@ _IDIOMS: Final = tuple(
         (r"(inc|dec|increase|decrease)(?: \.)? (?:1|one)(?= [,;.)*]| ?$)", "{1}"),
         (r"(inc|dec|increase|decrease) (?:\. )?(?:all|right) (?:round|around)", "{1} around"),
         (r", thus (?:completing|making|having) \d+ (?:rounds|rows|rnds)(?: in all)?", ""),
-        (r"(\d+|one|two|three|four|five|six|seven|eight|nine|ten|twelve) (?:more )?(rounds?|rnds?|rows?) straight(?: in (?:dc|sc|tr|double crochet|single crochet))?", "{1} {2} even"),
-        (r"(work|and|,|;) (\d+|one|two|three|four|five|six|seven|eight|nine|ten|twelve) (rounds|rnds|rows) more(?= [.,;]| ?$)", "{1} {2} {3} even"),
+        (rf"({NUMBER}) (?:more )?(rounds?|rnds?|rows?) straight(?: in (?:dc|sc|tr|double crochet|single crochet))?", "{1} {2} even"),
+        (rf"(work|and|,|;) ({NUMBER}) (rounds|rnds|rows) more(?= [.,;]| ?$)", "{1} {2} {3} even"),
         (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),
         (r"counting (?:the|your) (?:turning|first|starting) ch(?:ain)?", ""),
         (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),
@@ -46,12 +47,7 @@ _AS: Final = re.compile(rf"(?<!\S)as (?:the |for |in )?({_NTH})(?= [.,;]| ?$)")
 _ROWS: Final = frozenset(("row", "rows"))
 
 
-_TENS: Final = {w: 10 * n for n, w in enumerate("twenty thirty forty fifty sixty seventy eighty ninety".split(), 2)}
-_TEENS: Final = {
-    w: n for n, w in enumerate("thirteen fourteen fifteen sixteen seventeen eighteen nineteen".split(), 13)
-}
-_NAMED: Final = frozenset((*_TENS, *_TEENS))
-_ONES: Final = {w: n for n, w in enumerate("one two three four five six seven eight nine".split(), 1)}
+_NAMED: Final = frozenset((*TENS, *TEENS))
 _SPECIAL: Final = re.compile(r"^to (?:work|make) (?:1|one|a|an|the) (\w+) [.:-]+(.*)$")
 _DROPPED: Final = ("slip loop", "drop", "off hook", "off the hook", "remove hook", "take hook")
 
@@ -79,11 +75,11 @@ def _numbered(tokens: list[Token]) -> list[Token]:
     at = 0
     while at < len(tokens):
         token, end = tokens[at], at + 1
-        value = _TEENS.get(token.word) or _TENS.get(token.word) or 0
-        if token.word in _TENS:
+        value = TEENS.get(token.word) or TENS.get(token.word) or 0
+        if token.word in TENS:
             end += end < len(tokens) and tokens[end].word == "-" and tokens[end].glued
-            if end < len(tokens) and tokens[end].word in _ONES:
-                value, end = value + _ONES[tokens[end].word], end + 1
+            if end < len(tokens) and NUMBERS.get(tokens[end].word, 10) < 10:
+                value, end = value + NUMBERS[tokens[end].word], end + 1
             else:
                 end = at + 1
         number = Token("number", str(value), token.start, tokens[end - 1].end, value, token.glued, token.capital)

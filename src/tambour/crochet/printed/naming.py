@@ -10,6 +10,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.notes import Heading, plain_name
+from tambour.crochet.words.numbers import NUMBER, number
 
 _SMALL: Final = frozenset(
     (
@@ -142,7 +143,6 @@ _SAID: Final = (
 )
 _NO_PART: Final = frozenset(_SAID.split())
 """Words that no heading of a part has."""
-_MANY: Final = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8, "ten": 10, "twelve": 12}
 
 
 def heading_above(text: str, low: int, high: int) -> Heading | None:
@@ -202,11 +202,11 @@ def made_of(text: str, heading: Heading) -> tuple[int, bool]:
 
 
 def _made(words: str | None) -> int:
-    """How many "(make 2)", "(make 1 with B and 1 with C)" are."""
-    said = re.findall(
-        r"\b(\d+|two|three|four|five|six|eight|ten|twelve)\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", (words or "").lower()
-    )
-    numbers = [int(w) if w.isdigit() else _MANY[w] for w in said]
-    # "make 6: 2 each with A, B and C", "make 3 – 1 per rocket": the first is the whole.
-    many = numbers[0] if numbers and re.match(r"\D*\w+\s*[:–—-]", words or "") else sum(numbers)
+    """How many "(make 2)", "(make 1 with B and 1 with C)", "(make 2, one in each colour)" are."""
+    said = re.findall(rf"\b({NUMBER})\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", (words or "").lower())
+    numbers = [number(w) for w in said]
+    # "make 6: 2 each with A, B and C", "make 3 – 1 per rocket", "make 2, 1 in A, 1 in B": the first is the whole.
+    parted = re.search(r"^\D*\w+\s*[:–—-]|\b(?:each|per)\b", words or "")
+    whole = numbers and (parted or numbers[0] == sum(numbers[1:]) > 1)
+    many = numbers[0] if whole else sum(numbers)
     return many if 1 <= many <= 100 else 1

@@ -106,7 +106,7 @@ class State:
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
             called = TERMS[self.language.code].words["round"][0].lower()
-            self.rows = tallied(source.text.text, self.rows, self.vocabulary, called)
+            self.rows = tallied(self.rows, self.vocabulary, called)
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(
             source.text.text

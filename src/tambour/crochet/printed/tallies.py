@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import Counter
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from tambour.crochet.printed.heads import head
@@ -22,10 +22,13 @@ _PHRASE: Final = frozenset(
     "leaves leaving st sts stitch stitches that".split()
 )
 _READ: Final = (("-",), ("=",), (":",), (";",), (".",), ("|",))  # signs that every text's counts may have
-_TWICE: Final = frozenset(
-    ("x", "*", "+", "_", "/")
-)  # these bind a number to what is before it, unless they close it too
+_BINDING: Final = frozenset(("x", "*", "+", "_"))
+"""These bind a number to what is before it, unless they stand behind it too."""
+_CLOSED: Final = frozenset((")", "]", "}"))  # a repeat may end so before its count
+_WORKED: Final = frozenset("ring mr mc around each all st sts round times stitch".split())
+"""Behind these words a number alone is no number of stitches to work."""
 _OPENED: Final = {"(": ")", "[": "]", "{": "}", "<": ">", "【": "】", "«": "»"}
+_FRAMES: Final = (("(",), ("[",), ("{",), ("<",))
 _OWN: Final = frozenset("st sts stitch stitches of a with".split())
 """These belong to the round, and not to its count, where they stand first."""
 _LONGEST: Final = 6  # words before a count
@@ -36,9 +39,9 @@ _LETTERS: Final = frozenset("rnd rnds rd round rounds r row rows rondje foundati
 _MOST: Final = 400
 
 
-def tallied(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
+def tallied(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with the text's own signs as most texts have them. called : the word for a round."""
-    return _counts(text, _heads(text, unpointed(rows), vocabulary, called), vocabulary)
+    return _counts(_heads(unpointed(rows), vocabulary, called), vocabulary)
 
 
 def unpointed(rows: list[Row]) -> list[Row]:
@@ -62,12 +65,12 @@ def unpointed(rows: list[Row]) -> list[Row]:
     ]
 
 
-def _heads(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
+def _heads(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """Lines whose numbers follow each other behind the same word or sign, and that work stitches, as rounds."""
     made = list(rows)
     run: list[int] = []
     last, shape = 0, ""
-    found = [_led(text, row.tokens) if row.tokens else None for row in rows]
+    found = [_led(row.tokens) if row.tokens else None for row in rows]
     for k in range(len(rows) + 1):
         one = found[k] if k < len(rows) else None
         if k < len(rows) and one is None:
@@ -87,7 +90,7 @@ def _heads(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> l
 _Led = tuple[str, int, int, int, int]
 
 
-def _led(text: str, tokens: list[Token]) -> _Led | None:
+def _led(tokens: list[Token]) -> _Led | None:
     """What a line has before its number, the first and the last number, and where they and the line's words begin."""
     at = 0
     while at < min(4, len(tokens)) and tokens[at].kind != "number":
@@ -95,17 +98,17 @@ def _led(text: str, tokens: list[Token]) -> _Led | None:
             return None
         grown = _SPLIT.fullmatch(tokens[at].word)
         if grown and tokens[at].kind == "word" and int(grown[2]) < _MOST:
-            return _ranged(text, tokens, at + 1, int(grown[2]), at, grown[1])
+            return _ranged(tokens, at + 1, int(grown[2]), at, grown[1])
         at += 1
     if at >= len(tokens) or tokens[at].kind != "number" or not isinstance(tokens[at].value, int) or at > 3:
         return None
     words = [t.word for t in tokens[:at] if t.word not in ("_", "-")]
     if any(word in _YARNS for word in words):
         return None
-    return _ranged(text, tokens, at + 1, tokens[at].value, at, " ".join(words))
+    return _ranged(tokens, at + 1, tokens[at].value, at, " ".join(words))
 
 
-def _ranged(text: str, tokens: list[Token], at: int, first: int, begin: int, named: str) -> _Led | None:
+def _ranged(tokens: list[Token], at: int, first: int, begin: int, named: str) -> _Led | None:
     last = first
     if (
         at + 1 < len(tokens)
@@ -150,7 +153,7 @@ def _renamed(rows: list[Row], run: list[int], found: list[_Led | None], vocabula
         rows[k] = replace(row, tokens=[named, *numbers, colon, *row.tokens[at:]])
 
 
-def _counts(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
+def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     """Counts behind rounds, in brackets."""
     ends: dict[int, tuple[tuple[str, ...], int, int]] = {}
     rounds = 0
@@ -177,9 +180,41 @@ def _counts(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     return made
 
 
+@dataclass(frozen=True)
+class _Ending:
+    """What a line ends with: signs, words and a number, and signs behind it."""
+
+    at: int  # where it begins
+    number: int
+    opening: tuple[str, ...]
+    said: tuple[str, ...]
+    closing: tuple[str, ...]
+
+
 def _behind(tokens: list[Token], begin: int) -> tuple[tuple[str, ...], int, int] | None:
     """The signs and words about the number that ends a line, where they begin, and where it stands; None where it is a count as
     every text has it, or none."""
+    end = _ending(tokens, begin)
+    if end is None:
+        return None
+    opening, said, closing = end.opening, end.said, end.closing
+    before = tokens[end.at - 1].word
+    if not opening and not said:
+        worked = tokens[end.at - 1].kind == "word" and before not in _WORKED
+        return None if worked or before in _BINDING else (("", *closing), end.at, end.number)
+    if not said:
+        bound = len(opening) == 1 and opening[0] in _BINDING and opening[0] not in closing
+        dots = not closing and set(opening) == {"."}
+        if bound or dots or opening in _READ or (opening == ("#",) and before in _LETTERS):
+            return None
+        framed = opening in _FRAMES and closing == (_OPENED[opening[0]],)
+        if framed and len(tokens) == end.number + 2:
+            return None  # "(18)" as everywhere
+    return (*opening, *said, *closing) if opening else (f"~{' '.join(said)}", *closing), end.at, end.number
+
+
+def _ending(tokens: list[Token], begin: int) -> _Ending | None:
+    """The last number of a line, if nothing but signs and the words of a count stand about it."""
     end = len(tokens)
     while end > begin and tokens[end - 1].kind == "mark":
         end -= 1
@@ -202,45 +237,9 @@ def _behind(tokens: list[Token], begin: int) -> tuple[tuple[str, ...], int, int]
         said.pop(0)
         at += 1
     opening: list[str] = []
-    while (
-        at > begin
-        and tokens[at - 1].kind == "mark"
-        and tokens[at - 1].word not in (")", "]", "}", '"' if opening else ")")
-    ):
-        if tokens[at - 1].word in ("x",):
+    while at > begin and tokens[at - 1].kind == "mark" and tokens[at - 1].word not in _CLOSED | {"x"}:
+        if opening and tokens[at - 1].word == '"':  # the end of words in quotes
             break
         opening.insert(0, tokens[at - 1].word)
         at -= 1
-    if at <= begin:
-        return None
-    before = tokens[at - 1]
-    plain = tuple(opening)
-    if not said and (plain in _READ or (not closing and plain and set(plain) == {"."})):
-        return None
-    if plain and plain[-1] in _OPENED and plain[-1] in "([{<" and closing[:1] == [_OPENED[plain[-1]]]:
-        if len(tokens) - end == len(closing) == 1 and len(plain) == 1 and number == end - 1 and not said:
-            return None  # "(18)" as everywhere
-    elif not plain and not said:
-        if before.kind == "word" and before.word not in (
-            "ring",
-            "mr",
-            "mc",
-            "around",
-            "each",
-            "all",
-            "st",
-            "sts",
-            "round",
-            "times",
-            "stitch",
-        ):
-            return None
-        if before.kind == "mark" and before.word in ("x", "*"):
-            return None
-        return ("", *closing), at, number
-    elif plain and plain[0] in _TWICE and plain[0] not in closing and not (len(plain) > 1 or said):
-        if plain[0] != "/":
-            return None
-    elif plain == ("#",) and before.word in _LETTERS:
-        return None
-    return (*(plain or ("",)), *said, *closing) if plain else (f"~{' '.join(said)}", *closing), at, number
+    return _Ending(at, number, tuple(opening), tuple(said), tuple(closing)) if at > begin else None

@@ -5,9 +5,6 @@ from __future__ import annotations
 import re
 from typing import Final
 
-NUMBERS: Final = {
-    w: n for n, w in enumerate("one two three four five six seven eight nine ten eleven twelve".split(), 1)
-}
 _SC: Final = r"(?:single crochets?|double crochets?|singles?|doubles?|sc|dc|stitches|sts?|plain|plain stitches)"
 _RINGS: Final = r"(?:magic |adjustable |sliding |starting )?(?:ring|loop|circle)"
 _PLACE: Final = r"(?:each|every|all)(?: single)?(?: (?:one|sts?|stitch|stitches|\d+))?(?: of (?:them|these|those))?(?: around| round)?"

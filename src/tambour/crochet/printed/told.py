@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Final
 
-from tambour.crochet.printed.tellings import COUNT, DEC, LABEL, NUMBERS, events
+from tambour.crochet.printed.tellings import COUNT, DEC, LABEL, events
 from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.words.numbers import NUMBERS
 
 _HEADED: Final = re.compile(
     r"^(?:[^\w\s]+ )*(?:(?:rnds?|rounds?|rd|r|rows?)(?: [.#])? ?\d+(?: (?:-|–|to|and|&|,|~) (?:r ?)?\d+)*|\d+(?:st|nd|rd|th)?(?: (?:-|–|to|and) \d+(?:st|nd|rd|th)?)? (?:rnds?|rounds?|rows?)?)(?P<behind>.*)$"

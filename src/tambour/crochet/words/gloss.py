@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
+from tambour.crochet.words.numbers import NUMBERS
 from tambour.crochet.words.table import TERMS
 
 _PIECE: Final = re.compile(r"\d+(?:[.,]\d+)?|[^\W\d_]+['’]?|[^\w\s]")
@@ -159,7 +160,7 @@ def _words(text: str, code: str) -> list[_Word]:
 @lru_cache(maxsize=8)
 def _counts(code: str) -> Mapping[str, str]:
     """Numbers in words → in English."""
-    return {folded(s): e for e in _COUNTED for s in TERMS[code].heard.gloss.get(e, ())}
+    return {folded(s): e for e in NUMBERS for s in TERMS[code].heard.gloss.get(e, ())}
 
 
 def _plain(piece: str) -> str:
@@ -169,7 +170,6 @@ def _plain(piece: str) -> str:
     return f"round {piece[1:]}" if piece[0] == "@" else piece
 
 
-_COUNTED: Final = "one two three four five six seven eight nine ten eleven twelve".split()
 _JOINS: Final = {"-": "to", "–": "to", "—": "to", "/": "and", "&": "and", "t / m": "to", "tot en met": "to"}
 
 
