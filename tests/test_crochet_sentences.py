@@ -267,6 +267,15 @@ def test_of_several_sizes_one_is_read(asked: tuple[str | None, int]) -> None:
         assert pattern.whole is not None and pattern.whole.text == text and len(pattern.text.text) == len(text)
 
 
+@pytest.mark.parametrize(("asked", "edges"), [("2/4", [6, 12, 12]), ("6/8 yrs", [7, 14, 21, 21])])
+def test_rounds_for_some_sizes_only_are_no_others(asked: str, edges: list[int]) -> None:
+    said = "Cap\n\nMEASUREMENTS\nTo fit child sizes 2/4 (6/8 - 10) yrs.\n\nBODY\nRnd 1: 6 (7-8) sc in magic ring. 6 (7-8) sc.\nRnd 2: 2 sc in each sc around. 12 (14-16) sc.\n"
+    for only in ("Sizes 6/8 and 10 yrs only", "For sizes 6/8 yrs and 10 only"):
+        text = f"{said}{only}: Rnd 3: *1 sc in next sc. 2 sc in next sc. Rep from * around. 21 (24) sc.\nAll sizes: Next rnd: 1 sc in each sc around.\n"
+        pattern = read(Text(text.replace("21 (24)", "21"), "cap.txt"), size=asked)
+        assert not pattern.unread and [w.edge for w in build(pattern).worked if w.line.in_round] == edges
+
+
 def test_a_size_that_is_not_there_is_told() -> None:
     with pytest.raises(TambourError, match="no size"):
         read(Text(SIZED, "toy.txt"), size="XXL")
@@ -336,6 +345,13 @@ ROUNDS = [
     ("(Dec rnd). *Sc2tog. 1 sc in each of next 4 sc. Rep from * around", [10]),
     ("2 sc in first sc, sc in each sc around (1 sc inc'd)", [13]),
     ("Working in front loops only, slip st in each sc around - 12 slip sts", [12]),
+    ("Slip st in each st around - 12 sts.\nRnd 4: *Sc in next st, 2 sc in next st; rep from * around", [12, 18]),
+    ("Slip st in next 12 sts.\nRnd 4: 2 sc in each st around", [12, 24]),
+    ("Ch 1, slip st in BLO of each st around; join.\nRnd 4: Ch 1, sc in each st around; join", [12, 12]),
+    ("Sc in next 4 sc, joining B in last sc. With B, sc in next 8 sc", [12]),
+    ("Sc in next 4 sc, joining B at end of last sc. With B, sc in next 8 sc", [12]),
+    ("Sc in next 4 sc, join B in last sc. With B, ch 1 for color change (does not count as st). Sc in next 8 sc", [12]),
+    ("Sc in next 4 sc. Ch 1 to change color. With B, sc in next 8 sc", [12]),
     ("(Slip st, 3 hdc, slip st) in next st, sc in next 11 sts", [16]),
     ("(Slip st, ch 3, slip st) in next st, sc in next 11 sts", None),
     ("Dcfp around next st. Dcbp around next st. *Fpdc around next st. Rep from * around", [12]),
@@ -530,5 +546,5 @@ def test_a_round_goes_back_to_loops_that_were_left_also_in_a_part_that_is_made_t
     pattern = read(Text(leg, "toy.txt"))
     built = build(pattern)
     assert [(p.name, p.copies) for p in pattern.parts] == [("LEG", 2)] and not pattern.unread
-    assert sorted({r.number for r in built.rounds if r.part == 1}) == [1, 2, 4, 5]
+    assert sorted({r.number for r in built.rounds if r.part == 1}) == [1, 2, 3, 4, 5]
     assert sum(r.number == 5 for r in built.rounds) == 2

@@ -14,14 +14,14 @@ from tambour.crochet.graph.attach import attach
 from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
 from tambour.crochet.graph.edges import edge
 from tambour.crochet.graph.ends import fasten_off, join_round, turn
-from tambour.crochet.graph.fits import around, come, ends_around, mixed, spaces, spread
+from tambour.crochet.graph.fits import around, come, ends_around, mixed, slipped, spaces, spread
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
 from tambour.crochet.graph.spaces import into_space, pass_rest, to_space
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
 from tambour.crochet.graph.strands import hang
 from tambour.crochet.graph.strands import work as work_strands
-from tambour.crochet.language.stitches import RULES, Stitch
+from tambour.crochet.language.stitches import LOW, RULES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
 
 # Actions that make no node may be repeated this many times per node that a pattern may make.
@@ -117,6 +117,7 @@ class _Worker:
         self.worked: list[Worked] = []
         self.fresh = 0  # the first node of the row or round under way
         self.stitched = False  # the line under way has made more than chains
+        self.slips = False  # the line under way is a round of slip stitches
         self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
@@ -217,7 +218,9 @@ class _Worker:
             hook.written = number or 0
             self.log.append(Done("round", 1, (), (), line.span))
             self._step(1)
+            self.slips = slipped(hook, line.items, self.pattern.stitches)
         else:
+            self.slips = False
             self.log.append(Done("line", 1, (), (), line.span))
         for item in line.items:
             self._item(item)
@@ -390,6 +393,8 @@ class _Worker:
             hang(self.hook, [(self.pattern.stitches[name], many) for name, many in stitch.inner], action.times)
         elif self.hook.now.folded:
             through_both(self.hook, stitch, action.times)
+        elif self.slips and stitch.name == "slst":
+            self.hook.stitch(LOW, action.times)
         else:
             self.hook.stitch(stitch, action.times)
 

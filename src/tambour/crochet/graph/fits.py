@@ -84,6 +84,21 @@ def spaces(items: tuple[Item, ...], stitches: Mapping[str, Stitch]) -> int:
     return total
 
 
+def slipped(hook: Hook, items: tuple[Item, ...], stitches: Mapping[str, Stitch]) -> bool:
+    """Whether a round is of slip stitches alone, one into every stitch below: the next is worked into these, low as they are."""
+    many = 0
+    for item in items:
+        if isinstance(item, Action):
+            if item.name != "slst" and item.name in stitches and not (item.name == "ch" and not many):
+                return False
+            many += item.times if item.name == "slst" else 0
+        elif [getattr(i, "name", "") for i in item.items] == ["slst"]:
+            many += hook.ahead if item.times is None else item.times * _takes(hook, item.items, stitches)
+        else:
+            return False
+    return many >= hook.ahead > 0
+
+
 def ends_around(items: tuple[Item, ...]) -> tuple[Item, ...]:
     """What goes around at the end of a round, none where it ends otherwise."""
     rest = [i for i in items if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "bl")]

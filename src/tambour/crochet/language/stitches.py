@@ -159,6 +159,7 @@ BASIC: Final = frozenset(
 
 
 LOW: Final = Stitch("slst", (Move(THROUGH), Move(OVER, "sc", 0.4)))
+"""A slip stitch that others are worked into."""
 
 
 def into_one(inner: Sequence[tuple[Stitch, int]], where: Place = "") -> Stitch:

@@ -212,7 +212,9 @@ class Courses(Reader):
             c.at += shade[1]
             begin = c.at
             self.to_separator("turn", "fasten off", "and", "form")
-            tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
+            clause = c.tokens[begin : c.at]
+            last = any(t.value == "last" or t.word == "last" for t in clause)  # "joining B in last sc": only its colour
+            tied = any(t.kind == "stitch" and (t.value == "slst" or (t.value == "sc" and not last)) for t in clause)
             in_space = not worked and spaced(c.tokens[begin : c.at])
             if not worked and not in_space:
                 self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])

@@ -24,6 +24,7 @@ _IDIOMS: Final = tuple(
         (r", thus (?:completing|making|having) \d+ (?:rounds|rows|rnds)(?: in all)?", ""),
         (rf"({NUMBER}) (?:more )?(rounds?|rnds?|rows?) straight(?: in (?:dc|sc|tr|double crochet|single crochet))?", "{1} {2} even"),
         (rf"(work|and|,|;) ({NUMBER}) (rounds|rnds|rows) more(?= [.,;]| ?$)", "{1} {2} {3} even"),
+        (r"(?:, )?ch(?:ain)? 1 (?:for|to) (?:the )?(?:colou?r change|change colou?r)(?: \( does not count as (?:a |an )?(?:st|sc|dc|hdc|stitch) \))?", ""),
         (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),
         (r"counting (?:the|your) (?:turning|first|starting) ch(?:ain)?", ""),
         (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),
