@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from tambour.core.errors import Text
+from tambour.core.errors import Span, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
+from tambour.crochet.language.stitches import STITCHES
+from tambour.crochet.language.tree import Action, Group
 from tambour.crochet.page.own import pattern
 from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.motifs import begun
 from test_crochet_build import made
 
 HEAD = "Blanket\n\nMATERIALS\nYarn: A = white, B = red\n\nSQUARE\n"
@@ -214,3 +218,11 @@ def test_an_abbreviation_behind_its_word_is_no_further_stitch() -> None:
         "Chain (ch) 4.\nJoin with slip stitch (sl st) to first ch to form ring.\n1st rnd: Ch 1. Work 10 single crochet (sc) in ring.\n"
     )
     assert [s.name for s in built.pattern.parts] == ["SQUARE"] and kinds(built, 1) == "10 sc"
+
+
+def test_a_space_that_nothing_said_the_round_began_in_is_told() -> None:
+    where = Span(0, 1)
+    one, inside = Action("firstspace", where), Group((Action("firstspace", where),), 2, where)
+    for items in ([one], [Action("sc", where), inside], [Action("tospace", where), Action("sc", where), inside]):
+        with pytest.raises(NotUnderstood, match="space"):
+            begun(items, dict(STITCHES))

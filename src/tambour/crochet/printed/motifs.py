@@ -84,6 +84,9 @@ def begun(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
     """``items`` of which those that the round begins with, in a space, go into it: "join in any ch-1 sp, ch 3, *3 dc in next sp"; and that
     end in the space that they began in."""
     at = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "tospace"), None)
+    again = next((i.span for i in items if _ends_there(i)), None)
+    if again is not None and (at is None or any(isinstance(i, Group) and _ends_there(i) for i in items)):
+        raise NotUnderstood(Token("mark", "", again.start, again.end), "which space the round began in is not known")
     if at is None:
         return items
     first = next((k for k in range(at + 1, len(items)) if not _idle(items[k])), None)
@@ -92,12 +95,17 @@ def begun(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
         made = into_one([(stitches[one.name], one.times)], "sp")
         stitches.setdefault(made.name, made)
         items = [*items[:first], replace(one, name=made.name, times=1), *items[first + 1 :]]
-    if any(isinstance(i, Action) and i.name == "firstspace" for i in items):
+    if again is not None:
         halved = Action("tospace", items[at].span, numbers=(1,))
         return [
             halved if k == at else i for k, i in enumerate(items) if not isinstance(i, Action) or i.name != "firstspace"
         ]
     return items
+
+
+def _ends_there(item: Item) -> bool:
+    """Whether an item goes into the space that its round began in."""
+    return any(map(_ends_there, item.items)) if isinstance(item, Group) else item.name == "firstspace"
 
 
 def net(item: Item, stitches: dict[str, Stitch]) -> bool:
