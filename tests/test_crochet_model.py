@@ -46,7 +46,7 @@ from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
 from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
-from tambour.crochet.model.seating import alike, longer, nudged, singly
+from tambour.crochet.model.seating import Rest, alike, longer, nudged, singly
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.tips import Mirror, choose, facing, mirror, stands
 from tambour.crochet.model.ways import between, ringed
@@ -479,14 +479,19 @@ def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:
     pieces = [Piece(none, tried, none, 0.0, (g,), (g,), b, o) for g, b, o in zip((body, arm, hand), bases, onto)]
     a = 0.4
     turn = np.array([[math.cos(a), -math.sin(a), 0.0], [math.sin(a), math.cos(a), 0.0], [0.0, 0.0, 1.0]])
-    found, far = nudged(pieces, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]), {}, {})
+    home = np.concatenate([body, arm, hand])
+    found, far, _ = nudged(pieces, home, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]))
     assert found[1, 0][0] == pytest.approx(turn.T, abs=1e-9)
     assert found[2, 0][0] == pytest.approx(np.eye(3), abs=1e-9) and found[2, 0][1] == pytest.approx(
         np.zeros(3), abs=1e-9
     )
     assert abs(far[2, 0]) < 1e-9
     deep = np.concatenate([body, arm, hand - 1.5 * (way := hand[0] - hand[-5:].mean(0)) / np.sqrt((way**2).sum())])
-    assert nudged(pieces, deep, {}, {})[1][2, 0] == pytest.approx(-1.5)
+    assert nudged(pieces, home, deep)[1][2, 0] == pytest.approx(-1.5)
+    # What gave way by so much was put elsewhere: where words put it does not matter, only what it did from there.
+    put = np.concatenate([body, arm + np.array([2.0, 0.0, 1.0]), hand])
+    again = nudged(pieces, put, np.concatenate([body, arm + np.array([2.0, 0.5, 1.0]), hand]))[0]
+    assert again[1, 0][1] == pytest.approx(np.array([0.0, -0.5, 0.0]), abs=1e-9)
 
 
 def test_a_pair_is_aimed_as_each_others_mirror_image_by_half_of_what_each_wants() -> None:
@@ -526,10 +531,16 @@ def test_a_part_is_sewn_where_and_as_all_of_it_lies_nearest(tilt: float, towards
         axis, front = ways(Placed("Rod", spot, tilt=lean, towards=towards), end, frame)
         return frame.points[0] + rod @ np.stack([axis, front, np.cross(axis, front)]) + 0.4 * frame.normals[0]
 
-    found = poses(host, spot, frame.points[0], rod, lying(tilt), 0.3)
+    def found_by(more: float) -> Poses:
+        want = lying(tilt + more)
+        axis, front = (way / np.sqrt((way**2).sum()) for way in (want[-1] - want[0], want[1] - want[4]))
+        out = np.where(np.arange(30)[:, None] % 2, front, np.cross(axis, front))
+        return poses(host, spot, frame.points[0], rod, want, out, 0.3)
+
+    found = found_by(0.0)
     assert found.best() == (spot, LEANED.index((int(tilt), int(towards))), 0)
     # Where no words say it exactly, place and lean together come nearer than the nearest place and the nearest lean.
-    tries = [poses(host, spot, frame.points[0], rod, lying(tilt + more), 0.3) for more in (4.0, 7.0, 11.0)]
+    tries = [found_by(more) for more in (4.0, 7.0, 11.0)]
     alone = [one.price[one.spots.index(spot), :, 0].min() for one in tries]
     assert sum(one.price.min() for one in tries) < sum(alone) - 0.05
     assert all(one.price.min() <= price for one, price in zip(tries, alone))
@@ -548,7 +559,7 @@ def test_one_piece_at_a_time_is_brought_home_the_worst_first_and_the_others_stay
     aside = np.array([1.0, 0.0, 0.0])
     x = np.concatenate([host, arm + 0.5 * aside, leg, leg + 2.0 * aside])
     still = {key: (np.eye(3), np.zeros(3)) for key in ((1, 0), (2, 0), (2, 1))}
-    found = singly(pieces, x, still)
+    found = singly(pieces, Rest(np.concatenate([host, arm, leg, leg]), x, 0.0, 0.0, []), still)
     moved = [{key for key in still if np.abs(one[key][1]).max() > 1e-6} for one in found]
     assert moved == [{(2, 1)}, {(1, 0)}] * 2
     assert not any((0, 0) in one for one in found)

@@ -67,8 +67,9 @@ Nudges = dict[Key, tuple[Array, Array]]
 """How a copy is aimed elsewhere than where it belongs: a turn (3, 3) and a shift (3,), in the model's frame."""
 
 
-def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> list[str]:
-    """The lines, such as ``place(Arm.1, Body, round=17.5, stitch=8, tilt=60, towards=135)``, that sew every piece on.
+def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> tuple[list[str], Array]:
+    """The lines, such as ``place(Arm.1, Body, round=17.5, stitch=8, tilt=60, towards=135)``, that sew every piece on, and where all
+    nodes (N, 3) are by them before anything gives way.
 
     even : the model is its own mirror image, left and right, and so are the angles of a pair
     fine : places and angles as near as can be; else those that there are words for
@@ -130,7 +131,10 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> list[
                 off = alone[nodes] - how.middle
                 own = np.column_stack([dot(off, way) for way in (how.axis, how.front, np.cross(how.axis, how.front))])
                 want = turned(turned(goal[nodes] - base, aim), turn) + point
-                choice[k, c] = poses(host, spot, point, own, want, max(1.5, len(end.nodes) / (2.0 * math.pi)))
+                there_ = joined.x.copy()
+                there_[nodes] = want
+                out = vertex_normals(there_, graph.faces[built.shell])[nodes]
+                choice[k, c] = poses(host, spot, point, own, want, out, max(1.5, len(end.nodes) / (2.0 * math.pi)))
                 steps[k, c] = _posed(plain, choice[k, c].best()), end
             held_by[k, c] = nodes, how
         waiting = [key for key in waiting if key not in ready]
@@ -148,7 +152,9 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> list[
             said, end = steps[key]
             steps[key] = eased(said, graph.faces[built.shell], alone, nodes, how, key not in choice), end
         held_by.clear()
-    return [_line(said) for said, _ in steps.values()]
+    return [_line(said) for said, _ in steps.values()], join(
+        Joining(built, spots, tuple(steps.values()), ()), alone, bodies
+    ).x
 
 
 def angled(plain: Placed, frame: Frames, axis: Array, front: Array, fine: bool) -> Placed:

@@ -32,7 +32,7 @@ BENT, IDLE = 5, 3
 that ends."""
 MANY = 2.0
 """How many rounds of a part that bends lean at the most, against those that may be neither plain nor a repeat."""
-BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 4
+BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 6
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; no more threads than so many are pulled at once."""
 BOUNDS = 0.6, 1.5

@@ -22,6 +22,8 @@ BESIDE = 3
 """How many stitches of a round are tried, the nearest ones."""
 LIFT = 1.5
 """How far out of the fabric a part comes to lie at the most, in stitches: it is sewn onto it, not into it."""
+ALONG = 0.1
+"""What a square that a node lies off along the fabric counts, against one across it: that of a part that is round shows hardly."""
 WORDS = 0.15
 """What a lean, or a turn about itself, has to win, in stitches, to be worth its words."""
 
@@ -65,10 +67,11 @@ class Host:
     upright: Array
 
 
-def poses(host: Host, near: Spot, point: Array, own: Array, want: Array, room: float) -> Poses:
+def poses(host: Host, near: Spot, point: Array, own: Array, want: Array, out: Array, room: float) -> Poses:
     """The ways to sew a part on at places about ``near``, the one nearest to ``point``, on the fabric within ``room``.
 
-    own : (K, 3) its nodes, from the middle of its end: along its axis, its front and across both; want : (K, 3) where they belong
+    own : (K, 3) its nodes, from the middle of its end: along its axis, its front and across both; want : (K, 3) where they belong;
+    out : (K, 3) the normals of its fabric there
     """
     spots, numbers = [], {r.number for r in host.spots.built.rounds if r.part == host.part}
     for number in near.round + np.arange(-1.0, 1.1, 0.5):
@@ -78,7 +81,21 @@ def poses(host: Host, near: Spot, point: Array, own: Array, want: Array, room: f
         tries = [Spot(host.name, float(number), s + 1.0) for s in range(len(host.spots.stitches(low)))]
         far = [float(length(_point(host, spot) - point)) for spot in tries]
         spots += [tries[k] for k in np.argsort(far, kind="stable")[:BESIDE]]
-    return Poses(tuple(spots), np.array([_prices(host, _point(host, spot), own, want, room) for spot in spots]))
+    off = _off(own, want, out)
+    return Poses(tuple(spots), np.array([_prices(host, _point(host, spot), off, room) for spot in spots]))
+
+
+def _off(own: Array, want: Array, out: Array) -> Array:
+    """The mean square (13, 13) that nodes lie off, of a turn's nine numbers, a place's three and 1: along the normals ``out``, and
+    ALONG of that in every direction, as a part that is round may be turned about itself."""
+    many = len(own)
+
+    def terms(way: Array) -> Array:
+        rows = np.column_stack([(way[:, :, None] * own[:, None, :]).reshape(many, 9), way, -(way * want).sum(1)])
+        return np.asarray((rows[:, :, None] * rows[:, None, :]).mean(0))
+
+    every = [terms(np.broadcast_to(axis, own.shape)) for axis in np.eye(3)]
+    return np.asarray(terms(out) + ALONG * (every[0] + every[1] + every[2]))
 
 
 def _point(host: Host, spot: Spot) -> Array:
@@ -86,8 +103,8 @@ def _point(host: Host, spot: Spot) -> Array:
     return np.asarray((np.array(place.weights)[:, None] * host.x[list(place.nodes)]).sum(0))
 
 
-def _prices(host: Host, point: Array, own: Array, want: Array, room: float) -> Array:
-    """What every lean and turn costs (L, A) at ``point``: the root of the mean square that its nodes lie off."""
+def _prices(host: Host, point: Array, off: Array, room: float) -> Array:
+    """What every lean and turn costs (L, A) at ``point``: the root of the mean square that its nodes lie ``off`` (13, 13)."""
     far = length(host.x[host.nodes] - point)
     looks = host.normals[host.nodes[int(far.argmin())]]
     outward = host.normals[host.nodes[far < room]]
@@ -105,15 +122,15 @@ def _prices(host: Host, point: Array, own: Array, want: Array, room: float) -> A
     cross[:, [2, 0, 1], [1, 2, 0]], cross[:, [1, 2, 0], [2, 0, 1]] = k, -k
     lean = np.eye(3) + np.sin(tilt)[..., None] * cross
     lean += (1.0 - np.cos(tilt))[..., None] * np.einsum("lij,ljk->lik", cross, cross)
-    off = want - point
-    both = (off[:, :, None] * own[:, None, :]).mean(0)
-    square = (off**2).sum(1).mean() + (own**2).sum(1).mean()
     turned = np.einsum("lij,ajk->laik", lean, held)
-    square = square - 2.0 * (turned * both).sum((2, 3))
+    place = np.broadcast_to(np.append(point, 1.0), (*turned.shape[:2], 4))
+    how = np.concatenate([turned.reshape(*turned.shape[:2], 9), place], axis=2)
     # How far out it lies is not said: it lies on the fabric.
-    out = ((off.mean(0) - (turned * own.mean(0)).sum(3)) * n).sum(2)
-    lift = np.clip(out, 0.0, LIFT)
-    price = np.sqrt(np.maximum(square - 2.0 * lift * out + lift**2, 0.0))
+    up_ = np.concatenate([np.zeros(9), n, np.zeros(1)])
+    there = (up_[:, None] * off).sum(0)
+    lift = np.clip(-(how * there).sum(2) / max(float((there * up_).sum()), 1e-12), 0.0, LIFT)
+    how = how + lift[..., None] * up_
+    price = np.sqrt(np.maximum(np.einsum("lai,ij,laj->la", how, off, how), 0.0))
     price[1:] += WORDS
     price[:, 1:] += WORDS
     return np.asarray(price)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ from tambour.geometry.crossed import crossed
 from tambour.geometry.motion import dot, fit, length, turned
 
 if TYPE_CHECKING:
+    from tambour.crochet.language.finishes import Placed
     from tambour.crochet.params import CrochetParams
 
 LOPSIDED, MIRRORED = 9, 3
@@ -27,13 +29,11 @@ ALL, ALIKE = 4, 1
 """How often all parts are moved at once, in each; then one at a time, from the best so far: they move one another as they come to rest."""
 PAIR = 0.03
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
-NUDGE = 0.7
-"""How much of what a part is off it is moved at once."""
 CLASH = 0.03
 """How much farther off, in stitches, a toy may be for two seams that are not in each other's way."""
 CROSSED, RESTLESS = 8.0, 0.05
 """The same for fabric that does not pass through itself, times the share of it that does; and for a toy that comes to rest."""
-ROOTED, ROWS = 3, 3
+ROOTED, ROWS = (1, 3), 3
 """After so many times parts are made longer, by so many rounds at the most."""
 AWAY = 0.4
 """By how much two parts whose seams are in each other's way are moved apart at once, each, in stitches."""
@@ -56,34 +56,33 @@ def seated(
     good: Nudges = {}
     far: dict[Key, float] = {}
     away: dict[Key, Array] = {}
-    kept: tuple[Array, dict[Key, Array]] | None = None
-    phases = [(None, LOPSIDED, ALL), (plane, MIRRORED, ALIKE)]
-    for mirrored, times, together_ in phases[: 1 if plane is None else 2]:
-        seats: dict[Key, Seat] = {}
+    kept: tuple[Rest, dict[Key, Array]] | None = None
+    known: dict[str, Rest] = {}
+    for mirrored, times, together_ in [(None, LOPSIDED, ALL), (plane, MIRRORED, ALIKE)][: 1 if plane is None else 2]:
         turns: list[Nudges] | None = None
         if mirrored is not None and kept is not None:
             nudges, away = alike(pieces, good, mirrored), dict(kept[1])
-        for k in range(times):
-            if len(way) == ROOTED:
+        upto = len(way) + times
+        for k in itertools.count():
+            if len(way) in ROOTED and known:
                 pieces = [
                     longer(p, [far[n, c] for c in range(len(p.goals))], params, stitch) for n, p in enumerate(pieces)
                 ]
-                seats = {}
+                known = {}
             aims = {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}
-            lines = placed(pieces, aims, mirrored is not None, params.plain_ <= 0.0)
-            built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
-            goal = np.concatenate([g for p in pieces for g in p.goals])
-            lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
-            way.append(round(lain.mean, 4))
-            joining = prepare(built)
-            assert joining is not None
-            crowd = clashes(joining)
-            price = lain.mean + CLASH * len(crowd) + CROSSED * len(crossed(x, faces)) / len(faces)
-            price += (0.0 if rests else RESTLESS) - (PAIR if mirrored is not None else 0.0)
+            lines, first = placed(pieces, aims, mirrored is not None, params.plain_ <= 0.0)
+            said = "\n".join(lines)
+            if said not in known:
+                if len(way) == upto:
+                    break
+                known[said] = rested(pieces, lines, first, target, params, stitch)
+                way.append(round(known[said].far, 4))
+            now = known[said]
+            price = now.price - (PAIR if mirrored is not None else 0.0)
             if best is None or price < best[0]:
-                best, good, kept, turns = (price, pieces, lines), nudges, (x, dict(away)), None
+                best, good, kept, turns = (price, pieces, lines), nudges, (now, dict(away)), None
             if k + 1 < together_:
-                nudges, far = nudged(pieces, x, nudges, seats)
+                nudges, far, _ = nudged(pieces, now.first, now.x)
             else:
                 assert kept is not None
                 turns = singly(best[1], kept[0], good) if turns is None else turns
@@ -92,7 +91,7 @@ def seated(
                 pieces, nudges, away = best[1], turns.pop(0), dict(kept[1])
             if mirrored is not None:
                 nudges = alike(pieces, nudges, mirrored)
-            for one, other in crowd:
+            for one, other in now.crowd:
                 a, b = names[one.part], names[other.part]
                 here, there = pieces[a[0]].bases[a[1]], pieces[b[0]].bases[b[1]]
                 assert here is not None and there is not None
@@ -103,77 +102,85 @@ def seated(
     return best[1], best[2], way
 
 
-@dataclass(eq=False, slots=True)
-class Seat:
-    """How a copy came to lie: the nudge it was aimed by, how far off it came to lie, and what would bring it home.
+@dataclass(frozen=True, eq=False, slots=True)
+class Rest:
+    """Parts sewn on and at rest together. first, x : (N, 3) as they were put, and at rest; far : the mean distance from the model;
+    price : that and what else is wrong; crowd : whose seams are in each other's way."""
 
-    aim : the nudge; off : stitches, of its nodes on the average; turn (3, 3), shift (3,) : what mends it; step : how much of
-    that is tried next
-    """
-
-    aim: tuple[Array, Array]
-    off: float
-    turn: Array
-    shift: Array
-    step: float = 1.0
-
-    def aimed(self, step: float) -> tuple[Array, Array]:
-        """What it is to be aimed by next, ``step`` of the way home."""
-        return turned(self.aim[0].T, share(self.turn, step)).T, self.aim[1] + step * self.shift
+    first: Array
+    x: Array
+    far: float
+    price: float
+    crowd: list[tuple[Placed, Placed]]
 
 
-def singly(pieces: list[Piece], x: Array, nudges: Nudges) -> list[Nudges]:
-    """``nudges`` with those of one piece brought home, the one first that lies off by most; then each by half of that.
+def rested(
+    pieces: list[Piece],
+    lines: list[str],
+    first: Array,
+    target: Target,
+    params: CrochetParams,
+    stitch: tuple[float, float],
+) -> Rest:
+    """The pieces sewn on as ``lines`` say, which put them at ``first`` (N, 3), at rest."""
+    built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+    goal = np.concatenate([g for p in pieces for g in p.goals])
+    far = distance(target, x, faces, fit(x, goal, np.ones(len(x)))).mean
+    joining = prepare(built)
+    assert joining is not None
+    crowd = clashes(joining)
+    price = far + CLASH * len(crowd) + CROSSED * len(crossed(x, faces)) / len(faces)
+    return Rest(first, x, far, price + (0.0 if rests else RESTLESS), crowd)
 
-    x : (N, 3) all parts at rest together as ``nudges`` aimed them
-    """
-    seats: dict[Key, Seat] = {}
-    nudged(pieces, x, nudges, seats)
-    off = {
-        k: sum(seats[k, c].off * len(g) for c, g in enumerate(p.goals) if (k, c) in seats) for k, p in enumerate(pieces)
-    }
+
+def singly(pieces: list[Piece], now: Rest, nudges: Nudges) -> list[Nudges]:
+    """``nudges`` with those of one piece brought home from where it lies ``now``, the one first that lies off by most; then each by
+    half of that."""
+    home, _, off = nudged(pieces, now.first, now.x)
     order = sorted((k for k in off if off[k] > 0.0), key=lambda k: -off[k])
     return [
-        nudges | {key: seat.aimed(step) for key, seat in seats.items() if key[0] == k}
+        nudges | {key: between(nudges.get(key), aim, step) for key, aim in home.items() if key[0] == k}
         for step in (1.0, 0.5)
         for k in order
     ]
 
 
-def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]) -> tuple[Nudges, dict[Key, float]]:
-    """Where parts are to be aimed next, so that they come to rest where they belong, and how far out along itself each one lies.
+def between(one: tuple[Array, Array] | None, other: tuple[Array, Array], step: float) -> tuple[Array, Array]:
+    """A nudge ``step`` of the way from one (None: none) to another."""
+    turn, shift = (np.eye(3), np.zeros(3)) if one is None else one
+    return turned(turn.T, share(turned(other[0], turn), step)).T, shift + step * (other[1] - shift)
 
-    x : (N, 3) all parts at rest together; nudges : what they were aimed by
-    seats : the best that each came to lie so far, brought up to date; a part that came to lie worse goes half the way from there
+
+def nudged(pieces: list[Piece], first: Array, x: Array) -> tuple[Nudges, dict[Key, float], dict[int, float]]:
+    """Where parts are to be aimed next, so that they come to rest where they belong: as fabric gives way they come to lie elsewhere
+    than they were put, and will so again. Also how far out along itself each one lies, and how far off all copies of a piece do.
+
+    first, x : (N, 3) all parts as they were put, and at rest together
     """
     keys = [(k, c) for k, p in enumerate(pieces) for c in range(len(p.goals))]
     ends = np.cumsum([len(pieces[k].goals[c]) for k, c in keys])
-    lies = {key: x[end - len(pieces[key[0]].goals[key[1]]) : end] for key, end in zip(keys, ends.tolist())}
+    span = {key: slice(end - len(pieces[key[0]].goals[key[1]]), end) for key, end in zip(keys, ends.tolist())}
     made: Nudges = {}
-    far = dict.fromkeys(keys, 0.0)
+    far, off = dict.fromkeys(keys, 0.0), dict.fromkeys(range(len(pieces)), 0.0)
     for k, c in keys:
         base, goal, on = pieces[k].bases[c], pieces[k].lain[c], pieces[k].onto[c]
         if base is None:
             continue
         # Against what it is sewn to, which may itself not lie where it belongs yet.
-        host = pieces[on[0]].lain[on[1]]
-        turn, shift = fit(lies[on], host, np.ones(len(host)))
-        own = turned(lies[k, c], turn) + shift
-        off = float(np.sqrt(((own - goal) ** 2).sum(1)).mean())
+        host, even = pieces[on[0]].lain[on[1]], np.ones(len(goal))
+        put, own = (
+            turned(at[span[k, c]], turn) + shift
+            for at in (first, x)
+            for turn, shift in [fit(at[span[on]], host, np.ones(len(host)))]
+        )
         rim = len(goal) - pieces[k].tried.counts[-1]
         out = goal[0] - goal[rim:].mean(0)
         out = out / max(float(length(out)), 1e-9)
         far[k, c] = float(dot(own[rim:].mean(0) - goal[rim:].mean(0), out))
-        best = seats.get((k, c))
-        if best is None or off < best.off:
-            turn, shift = fit(own, goal, np.ones(len(goal)))
-            aim = nudges.get((k, c), (np.eye(3), np.zeros(3)))
-            step = base - turned(base - shift, turn.T)
-            best = seats[k, c] = Seat(aim, off, turn, NUDGE * (step - dot(step, out) * out))
-        else:
-            best.step *= 0.5
-        made[k, c] = best.aimed(best.step)
-    return made, far
+        off[k] += float(length(own - goal).sum())
+        turn, shift = fit(put, own, even)
+        made[k, c] = turn.T, turned(base - shift, turn.T) - base
+    return made, far, off
 
 
 def alike(pieces: list[Piece], nudges: Nudges, plane: Mirror) -> Nudges:

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 EVERY = 40
 """A part that shall be as near as can be has a thread for so many of its stitches, at the most."""
-FEW, WINS, AMOUNT = 3, 0.12, 0.05
-"""Any other has so many at the most, and only where they take such a share, and so much, in stitches, off its mean distance."""
-SMALL = 200
-"""One fewer where it has fewer stitches than this."""
+FEW, MANY, PER = 2, 6, 200
+"""Any other has one for PER stitches at the most, but for the smallest, which have FEW, and the largest, which have MANY."""
+WINS, AMOUNT = 0.12, 0.05
+"""And only where they take such a share, and so much, in stitches, off its mean distance."""
 APART = 2.5
 """Ends of threads lie at least so far from each other, in stitches: each wants fabric of its own."""
 PROUD, MORE = 0.3, 0.6
@@ -40,7 +40,7 @@ def most(stitches: int, plain: float) -> int:
     """How many threads a part of so many stitches has at the most; the easiest rounds have none."""
     if plain <= 0.0:
         return int(1.5 * stitches / EVERY)
-    return max(FEW - (stitches < SMALL), 0) if plain < 1.0 else 0
+    return min(max(FEW, stitches // PER), MANY) if plain < 1.0 else 0
 
 
 def worth(bare: Tried, pulled: Tried) -> bool:
