@@ -48,6 +48,7 @@ from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.seating import Rest, alike, longer, nudged, singly
 from tambour.crochet.model.settled import settled
+from tambour.crochet.model.threads import most
 from tambour.crochet.model.tips import Mirror, choose, facing, mirror, stands
 from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import area, bodies, refined, volume, where
@@ -170,7 +171,7 @@ def test_the_loop_mends_rounds_that_began_too_wide_or_too_narrow_by_counts_alone
 ) -> None:
     x, faces = globe(40.0)
     monkeypatch.setattr(Fronts, "girths", property(lambda self: times * np.array([girth(line) for line in self.lines])))
-    monkeypatch.setattr("tambour.crochet.model.threads.FEW", 0)
+    monkeypatch.setattr("tambour.crochet.model.threads.MANY", 0)
     piece, _ = made(Mesh(x, faces), stitches=400)
     assert piece.aim is not None
     way = piece.aim.history["Body"]
@@ -182,7 +183,7 @@ def test_the_loop_mends_rounds_that_began_too_wide_or_too_narrow_by_counts_alone
 def test_what_misses_its_model_is_told_with_its_part_and_round_and_a_ball_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("tambour.crochet.model.threads.FEW", 0)  # which would pull it in
+    monkeypatch.setattr("tambour.crochet.model.threads.MANY", 0)  # which would pull it in
     box, told = made(Mesh(40.0 * BOX * [1.0, 1.0, 0.4], SIDES), stitches=800)
     assert [w.message[:23] for w in told.warnings] == ["Body misses its model: "]
     assert "about its round 1, which lies outside of it" in told.warnings[0].message
@@ -203,7 +204,10 @@ def test_a_flat_cushion_is_pulled_in_by_threads(monkeypatch: pytest.MonkeyPatch)
     assert pulled.aim.distance["mean"] < 0.75 * round_.aim.distance["mean"]
     ties = [f for f in pulled.built.pattern.finish if isinstance(f, Tie)]
     assert 2 < len(ties) <= 1.5 * len(pulled.built.graph) / 40 and not round_.built.pattern.finish
-    assert len(some.built.pattern.finish) <= 3  # a maker is asked for three at the most
+    assert (
+        len(some.built.pattern.finish) <= most(len(some.built.graph), 0.5) <= 4
+    )  # what a maker is asked for at the most
+    assert [most(n, 0.5) for n in (80, 200, 1000, 5000)] == [2, 4, 5, 6] and most(5000, 1.0) == 0
     again = read(instructions.plain(pulled))
     assert [(f.spots, f.apart) for f in again.finish if isinstance(f, Tie)] == [(f.spots, f.apart) for f in ties]
 

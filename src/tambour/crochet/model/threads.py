@@ -15,8 +15,10 @@ if TYPE_CHECKING:
 
 EVERY = 40
 """A part that shall be as near as can be has a thread for so many of its stitches, at the most."""
-FEW, MANY, PER = 2, 6, 200
-"""Any other has one for PER stitches at the most, but for the smallest, which have FEW, and the largest, which have MANY."""
+FEW, FLAT, MANY, PER = 2, 4, 6, 200
+"""Any other has one for PER stitches at the most, and no more than MANY; if it has fewer than SMALL stitches FEW, else at least FLAT, as
+an ear needs to lie flat."""
+SMALL = 120
 WINS, AMOUNT = 0.12, 0.05
 """And only where they take such a share, and so much, in stitches, off its mean distance."""
 APART = 2.5
@@ -40,7 +42,7 @@ def most(stitches: int, plain: float) -> int:
     """How many threads a part of so many stitches has at the most; the easiest rounds have none."""
     if plain <= 0.0:
         return int(1.5 * stitches / EVERY)
-    return min(max(FEW, stitches // PER), MANY) if plain < 1.0 else 0
+    return min(max(FEW if stitches < SMALL else FLAT, stitches // PER), MANY) if plain < 1.0 else 0
 
 
 def worth(bare: Tried, pulled: Tried) -> bool:
