@@ -57,16 +57,19 @@ HEAD = [
 
 # Where the loop's legs stand in the end, from the column's foot (row of the table, u with the lean taken off): close together
 # in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel.
-LEGS = {7: -0.01, 8: -0.07, 9: -0.125, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37, 16: 0.275, 17: 0.19, 18: 0.16}
+LEGS = {0: -0.298, 1: -0.187, 2: -0.163, 3: -0.159, 43: 0.187, 44: 0.286, 45: 0.481, 7: -0.01, 8: -0.07, 9: -0.125, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37, 16: 0.275, 17: 0.19, 18: 0.16}  # fmt: skip
+
+# Behind, the yarn from a head lies over to the next stitch before it goes down to the hole: the bump across every stitch
+# that a row shows on its other side. Drawn tight alone it runs straight down there, a hook.
 
 # And how far before the fabric (row, w): both legs outside, equally far, all the way up, so that a V is seen from either side;
 # and behind them, hidden, the yarn that comes through the loop to be the next head. Drawn tight alone the left leg sinks in
 # half way up behind the right one, and from the right a row reads as a rope.
-DEEP = {8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.06, 28: -0.08, 29: -0.08, 30: -0.02, 31: 0.0, 32: 0.03, 33: 0.09}  # fmt: skip
+DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45, 8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.06, 28: -0.08, 29: -0.08, 30: -0.02, 31: 0.0, 32: 0.03, 33: 0.09}  # fmt: skip
 
 # And how high its head begins (row, v): down in the gap between the stitches worked over it, and, above, deep in it. Drawn tight
 # alone it stands up there before them: where the colour changes the old one has teeth.
-LOW = {27: 0.93, 28: 0.98, 29: 1.09, 30: 1.11, 31: 1.17, 32: 1.25, 39: 1.24, 40: 1.18}
+LOW = {0: 0.73, 1: 0.58, 2: 0.38, 3: 0.2, 43: 0.86, 44: 0.79, 45: 0.77, 27: 0.93, 28: 0.98, 29: 1.09, 30: 1.11, 31: 1.17, 32: 1.25, 39: 1.24, 40: 1.18}  # fmt: skip
 
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:

@@ -67,7 +67,7 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     ),
     "blo": ("back loops only, in rounds", _tube("24 sc", "BLO, 24 sc", "24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
     "flo": (
-        "front loops only, in rounds: the ridge is inside",
+        "front loops only: a ridge inside",
         _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6", "30 sc", "FLO, 30 sc", "30 sc", "FLO, 30 sc, slst"),
     ),
     "ribs": ("back loops only, in rows", _rows("BLO, 12 sc", "ch", 8)),

@@ -133,9 +133,9 @@ def hairs(
                 uniform(key, np.uint64(at + 6)),
                 uniform(key, np.uint64(at + 7)),
             )
-            # Most are short; few are long.
+            # Most are short; few are long, and no two alike.
             rare = r2 * r2 * r2
-            long = radius * table[m, REACH] * (0.25 + 0.45 * r2 + 2.4 * rare * rare * rare)
+            long = radius * table[m, REACH] * (0.10 + 0.50 * r2 * r2 + 0.5 * rare * r2 + 2.6 * rare * rare * rare)
             size = 0.0
             for k in range(3):
                 p[k] = vertices[a, k] + r0 * (vertices[b, k] - vertices[a, k]) + r1 * (vertices[c, k] - vertices[a, k])

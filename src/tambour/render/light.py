@@ -17,7 +17,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.render.cover import cover, turn
 
-GAP, TOUCHED = 0.010, 0.6
+GAP, TOUCHED = 0.009, 0.8
 """How high a gap under a thing is, in its sizes, that a third as much light gets into; what part of it is kept out where it stands."""
 GOLDEN = pi * (3 - sqrt(5))
 

@@ -16,16 +16,22 @@ from tambour.noise import stream
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
-LAYS: Final = 26
+LAYS: Final = 22
 """How often the hand turns a ball while it winds."""
-TONES = 0.84, 1.04
+TURNED: Final = 0.6, 1.25
+"""By how much it turns it, in radians, at the least and at the most: never so far that its lays cross as a weave does."""
+TONES = 0.80, 1.04
 """How light its lays are, beside one another."""
-TIMES: Final = 7
+TIMES: Final = 9
 """How often it winds between two turns."""
+DEEP: Final = 0.45
+"""How light it is between its windings, as a share of the yarn's colour."""
 LARGE, LEAST, MOST = 0.17, 16.0, 42.0
 """Radius of a ball, as a share of the piece's size, and mm at the least and at the most."""
-THINNEST: Final = 0.06
+THINNEST: Final = 0.072
 """Radius of the yarn of a ball, in radii of that, at the least: else one would see no yarn."""
+WOUND: Final = ("yarn", "acrylic", "cotton")
+"""Surfaces whose strands a ball shows without their halo: wound tight, hairs of so thick a strand would be bristles."""
 PLAIN: Final = (233, 225, 209)
 """Colour of the second ball where the piece has but one."""
 
@@ -36,16 +42,19 @@ def wound(middle: Array, size: float, thick: float, color: Array, number: int, s
     from tambour.geometry.tube import sweep
 
     rough, lines, tones = stream("skein", number), [], []
+    axis = rough.standard_normal(3)
     for lay in range(LAYS):
-        axis = rough.standard_normal(3)
-        axis /= np.sqrt((axis**2).sum())
+        # Turned about whatever way lies across the last lay's.
+        aside = np.cross(axis, rough.standard_normal(3))
+        turn = rough.uniform(*TURNED)
+        axis = np.cos(turn) * axis / np.sqrt((axis**2).sum()) + np.sin(turn) * aside / np.sqrt((aside**2).sum())
         # Each lay catches the light in its own way.
         tones.append(np.clip(np.asarray(color) * rough.uniform(*TONES), 0, 255))
         right = np.cross(axis, (0.3, 1.0, 0.2))
         right /= np.sqrt((right**2).sum())
         t = np.linspace(0.0, 2.0 * pi * TIMES, 44 * TIMES)
         # Wound side by side, a little unevenly, each lay over those before; its ends lie under them.
-        high = 2.0 * thick * (t / (2.0 * pi) - 0.5 * TIMES) + 0.25 * thick * np.sin(1.3 * t + rough.uniform(0.0, 6.0))
+        high = 2.0 * thick * (t / (2.0 * pi) - 0.5 * TIMES) + 0.45 * thick * np.sin(1.3 * t + rough.uniform(0.0, 6.0))
         out = size - thick - 0.9 * thick * (1.0 - lay / LAYS) - 1.5 * thick * (abs(t / t[-1] - 0.5) > 0.485)
         flat = np.sqrt(np.maximum(out**2 - high**2, 0.0))[:, None]
         lines.append(
@@ -55,7 +64,12 @@ def wound(middle: Array, size: float, thick: float, color: Array, number: int, s
         )
     paths = Paths.of(lines)
     yarn = Strands(paths, np.full(len(paths.coords), thick), np.array(tones, np.uint8))
-    return joined([sweep(yarn, sides=8, wander=0.09, material=surface), _core(middle, size - 2.6 * thick, color)])
+    return joined(
+        [
+            sweep(yarn, sides=8, wander=0.09, material="skein" if surface in WOUND else surface),
+            _core(middle, size - 2.6 * thick, color),
+        ]
+    )
 
 
 def _core(middle: Array, size: float, color: Array) -> Mesh:
@@ -66,7 +80,7 @@ def _core(middle: Array, size: float, color: Array) -> Mesh:
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns), indexing="ij")
     a, b = i * columns + j, i * columns + (j + 1) % columns
     faces = np.concatenate([np.stack([a, a + columns, b], -1), np.stack([b, a + columns, b + columns], -1)])
-    shade = (0.8 * np.asarray(color)).astype(np.uint8)
+    shade = (DEEP * np.asarray(color)).astype(np.uint8)
     return Mesh(
         middle + size * points,
         faces.reshape(-1, 3),

@@ -280,9 +280,9 @@ WANDER = 0.09
 """Yarn is twisted more and less along its way, by so many turns."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
-LEANING, LOOSE, HIGH = 0.14, 0.10, 0.03
+LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
-UNEVEN, DRIFT, HELD = 0.035, 0.10, 6
+UNEVEN, DRIFT, HELD = 0.042, 0.115, 6
 """How far single stitches lie out of line, in widths, and how far several do, of about as many: hands are not machines."""
 
 
