@@ -9,6 +9,8 @@ from tambour.core.errors import Text
 from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
 from tambour.crochet.finish.joining import join, prepare
+from tambour.crochet.finish.limp import Limb, lain
+from tambour.crochet.finish.placing import frames
 from tambour.crochet.finish.sewing import End, end_of, held
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
@@ -403,3 +405,37 @@ def test_a_muzzle_that_bulges_covers_no_eye() -> None:
     eyes = [spot(spots, x, f) for f in pattern.finish if isinstance(f, Eye)]
     snout = spot(spots, x, next(f for f in pattern.finish if isinstance(f, Placed) and f.part == "MUZZLE"))
     assert len(eyes) == 2 and min(float(np.sqrt(((e - snout) ** 2).sum())) for e in eyes) > 3.2
+
+
+@pytest.mark.parametrize("said", ["between rounds 3 and 4", "between Rnds 2 & 3", "between the 3rd and 4th rounds"])
+def test_a_head_with_its_eyes_near_its_crown_nods(said: str) -> None:
+    """Eyes four rounds below a crown looked at the ceiling."""
+    head, body = BODY.replace("BODY", "HEAD"), BODY.split("Rnd 13")[0] + "Fasten off.\n\n"
+    pattern = read(
+        head + body,
+        f"Attach safety eyes {said} of the head, 4 stitches apart. Sew the head to the open end of the body.",
+    )
+    built, spots, x = points(pattern)
+    eyes = [f.spot for f in pattern.finish if isinstance(f, Eye)]
+    assert len(eyes) == 2 and float(frames(spots, x, eyes).normals[:, 1].mean()) < 0.5
+    graph, of = built.graph, spots.parts
+    middle = [float(x[graph.part == of[name], 1].mean()) for name in ("HEAD", "BODY")]
+    assert middle[0] > middle[1]
+
+
+@pytest.mark.parametrize(
+    "title, lies", [("Colin Caterpillar", True), ("Snake", True), ("Bookworm", True), ("Ball", False)]
+)
+def test_what_is_all_length_lies_on_its_belly(title: str, lies: bool) -> None:
+    pattern = read(BODY, "Attach safety eyes.", title)
+    assert (pattern.parts[0].up == "side") == lies
+
+
+def test_arms_of_an_octopus_lie_about_it_and_not_under_it() -> None:
+    ball = np.array([(x, y, z) for x in (-3.0, 3.0) for y in (4.0, 10.0) for z in (-3.0, 3.0)])
+    hanging = [np.array([(s, 4.5 - 0.5 * k, 0.0) for k in range(1, 20)]) for s in (-2.0, 2.0)]
+    x = np.concatenate([ball, *hanging])
+    arms = [Limb(np.arange(8 + 19 * k, 27 + 19 * k), np.array([s, 4.5, 0.0]), False) for k, s in enumerate((-2.0, 2.0))]
+    laid = lain(x, np.ones(len(x), bool), arms)
+    assert laid[:8] == pytest.approx(ball) and float(laid[:, 1].min()) >= 4.0
+    assert float(laid[8:27, 0].min()) < -10.0 and float(laid[27:, 0].max()) > 10.0

@@ -12,8 +12,10 @@ import crochet_toys as toys
 from tambour import noise
 from tambour.core.errors import Text
 from tambour.crochet.graph import layout
+from tambour.crochet.graph.build import build
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import worked
+from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.settle import arrange
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "crochet"
@@ -98,3 +100,20 @@ def test_parts_that_are_remembered_stand_as_if_they_were_laid_out_anew(turned) -
         alone = layout.rounds(graph, graph.rest / graph.stitch_width)
         layout._laid.update(kept)
         assert (beside == alone).all() and (again == alone).all()
+
+
+def test_the_stitch_that_joins_a_round_does_not_make_a_toy_lean():
+    """It is not worked into: the middle of what is lay beside the middle of the round, and twenty rounds leant by twelve degrees."""
+    rounds_ = "".join(
+        f"Rnd {k}: Ch 1. 1 sc in each st around. Join with sl st to first sc. 30 sc.\n" for k in range(6, 26)
+    )
+    begin = "Rnd 1: 6 sc in magic ring. Join with sl st to first sc. 6 sc.\n" + "".join(
+        f"Rnd {k}: Ch 1. *1 sc in each of next {k - 2} sts. 2 sc in next st. Rep from * around. Join with sl st to first sc. {6 * k} sc.\n"
+        for k in range(2, 6)
+    )
+    built = build(read_printed(Text(f"BALL\n{begin}{rounds_}Fasten off.\n", "ball.txt")))
+    graph = built.graph
+    x = layout.rounds(graph, graph.rest / graph.stitch_width)
+    last = built.rounds[-1]
+    middle = x[last.first : last.last + 1].mean(0)
+    assert np.hypot(middle[0], middle[2]) < 0.1 * middle[1]

@@ -13,7 +13,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.graph import SEWN, StitchGraph
-from tambour.crochet.finish import sewing
+from tambour.crochet.finish import gaze, sewing
 from tambour.crochet.finish.capped import across, drawn_over, lid_on, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
 from tambour.crochet.finish.hanging import hung, laid_on
@@ -270,6 +270,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         # What stands by itself stands as its pattern says; the rest is turned where it is placed.
         if b not in onto and (up := built.pattern.parts[fact.section].up):
             x[span.start : span.end] = standing(x[span.start : span.end], up)
+    nodded = _nodded(joining, x, body, onto) if built.pattern.terms else {}
     upright = np.tile([0.0, 1.0, 0.0], (len(graph.parts), 1))
     group = {b: [b] for b in range(len(bodies))}
     shell = graph.faces[built.shell]
@@ -292,6 +293,14 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
             continue
         frame = frame_of(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
+        if other in nodded and f.spot.stitch is None and BODY.search(f.part.lower()):
+            f = gaze.leant(
+                f, frame, turned(frame.normals[0], nodded[other].T)
+            )  # a body hangs straight down from a head
+        elif f.points is not None:
+            f = gaze.pointing(f, frame)
+        elif built.pattern.terms:
+            f = gaze.nodding(spots, x, own, how, f, end, frame)
         straight = sewing.brought(x, own, how, *sewing.ways(f, end, frame, False), frame.points[0])
         fixed = np.concatenate([bodies[b] for b in group[body[other]]])
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
@@ -329,6 +338,11 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         x, pairs, together = rolled(spots, x, list(joining.ball))
         seams.append(pairs)
         held += [(int(a), int(b)) for a, b in together]
+    for k, turn in nodded.items():
+        own = np.concatenate([bodies[b] for b in group[body[k]]])
+        x[own] = turned(x[own], turn)
+        mine = np.unique(graph.part[own])
+        upright[mine] = turned(upright[mine], turn)
     return Joined(
         x,
         upright,
@@ -338,6 +352,17 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.concatenate([np.zeros(0), *rest]),
         np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams[: len(joining.steps)])]),
     )
+
+
+def _nodded(joining: Joining, x: Array, body: list[int], onto: set[int]) -> dict[int, Array]:
+    """Part → how a head is turned that stands by itself, its body hanging on it, so that its eyes look ahead."""
+    spots, found = joining.spots, dict[int, Array]()
+    for f, _ in joining.steps:
+        k = spots.parts[f.spot.part]
+        hangs = f.spot.stitch is None and body[k] not in onto and BODY.search(f.part.lower())
+        if hangs and k not in found and (turn := gaze.nod(spots, x, k)) is not None:
+            found[k] = turn
+    return found
 
 
 def _round_of(spots: Spots, placed: Placed) -> int:
@@ -357,6 +382,9 @@ def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, uprigh
         return frame
     if (closed := _on_shut(joining, x, placed, upright)) is not None:
         return closed
+    away = frame.points[0] - x[target].mean(0)
+    if placed.spot.stitch is None and float(dot(away, frame.normals[0])) < 0.0:
+        frame = frame._replace(normals=(away / length(away))[None])  # two last stitches, pulled in, may look anywhere
     m = len(end.nodes)
     room = max(1.5, m / (2.0 * math.pi) if end.ring else 0.25 * m)
     near = target[((x[target] - frame.points[0]) ** 2).sum(1) < room * room]
@@ -364,7 +392,6 @@ def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, uprigh
     outward = vertex_normals(x, faces[np.isin(faces, near).any(1)])[near]
     # What lies on the other side of a thin part looks the other way.
     mean = outward[dot(outward, frame.normals[0]) > 0.0].sum(0)
-    away = frame.points[0] - x[target].mean(0)
     if placed.spot.stitch is None and dot(away, mean) > UPRIGHT * length(away) * length(mean):
         mean = away  # where a spiral ends its fabric leans a little; what stands on it stands on the axis of the whole
     size = float(length(mean))

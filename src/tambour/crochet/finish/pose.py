@@ -63,7 +63,7 @@ def pose(built: Built, poses: Sequence[str]) -> Built:
         for k in found:
             placed = finish[k]
             assert isinstance(placed, Placed)
-            finish[k] = replace(placed, **values)
+            finish[k] = replace(placed, points=None, **values)
     if problems:
         raise TambourError(problems)
     return replace(built, pattern=replace(pattern, finish=tuple(finish)))

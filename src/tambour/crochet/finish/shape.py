@@ -12,6 +12,7 @@ from tambour.core.check import Array
 from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
 from tambour.core.packed import Packed
+from tambour.crochet.finish.limp import lain, limbs
 from tambour.crochet.finish.stood import at_rest, clad, standing, upright
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.graph.sided import sided
@@ -307,6 +308,9 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         if len(task.graph.edges) > len(graph.edges):  # what is worn is no piece beside the toy
             graph, piece = task.graph, clusters(task.graph)
             bodies = {int(k): 2 if k in np.unique(piece[joined.held[:, 0]]) else 1 for k in np.unique(piece)}
+    elif task.joining is not None:  # arms that are worked off the edge of a head that nothing is sewn to
+        for k in np.unique(piece):
+            x = lain(x, piece == k, limbs(task, x, None, piece == k))
     if len(bodies) > 1:
         if all(v == 1 for v in bodies.values()):
             moved = arrange(graph, x)

@@ -9,6 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import StitchGraph
+from tambour.crochet.finish.limp import lain, limbs
 from tambour.geometry.motion import fit, turned
 
 if TYPE_CHECKING:
@@ -46,6 +47,10 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
     looks, on = looks_of(task, x, joined)
     for k in np.unique(piece[joined.held[:, 0]]):
         own = piece == k
+        limp = limbs(task, x, joined, own)
+        firm = own.copy()
+        for limb in limp:
+            firm[limb.nodes] = False
         middle = x[own].mean(0)
         seen = looks[piece[on] == k]
         if len(seen) and float(seen[:, 2].mean()) < BACKWARDS:  # of two halves the one with the face came to lie behind
@@ -53,18 +58,20 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
             for p in np.unique(task.graph.part[own]):
                 c[first[p] : first[p + 1]] = middle + (c[first[p] : first[p + 1]] - middle) * (-1.0, 1.0, -1.0)
             looks[piece[on] == k] = seen * (-1.0, 1.0, -1.0)
-        off = x[own] - middle
+        off = x[firm] - middle
         if pitch := righted(off, looks[piece[on] == k]):
             way = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])
-            x[own] = turned(off, way) + middle
+            x[own] = turned(x[own] - middle, way) + middle
             for p in np.unique(task.graph.part[own]):
                 c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, way) + middle
-            off = x[own] - middle
+            off = x[firm] - middle
         # With its mirror image a toy tips ahead or back only: what is a little heavier on one side stands all the same.
         turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
         x[own] = turned(x[own] - middle, turn) + middle
         for p in np.unique(task.graph.part[own]):
             c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
+        if limp:
+            x = lain(x, own, limbs(task, x, joined, own))
     return x, c
 
 

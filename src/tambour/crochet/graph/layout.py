@@ -26,6 +26,8 @@ WAVE = 0.1
 """How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
 WITHIN, AMID = 0.25, 0.3
 """Rings of two branches whose middles are so near, in stitches, or in radii of the smaller, are about each other, and not side by side."""
+WHOLE = 0.85
+"""A round that so much of the one below is worked into stands over all of it."""
 CLEAR = 1.0
 """Stitches that rings of different branches of one part keep between them."""
 _KEPT, _LARGE = 64, 4000
@@ -128,6 +130,11 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             begun[part] += int(graph.previous[a] < 0 or graph.previous[a] < graph.parts[part].start)
             continue
         centre = x[under].mean(0)
+        below = np.unique(section[under])
+        if len(below) == 1:
+            c, d = int(starts[below[0]]), int(ends[below[0]])
+            if WHOLE * (d - c) < len(under) < d - c and not flat[part] and half[part] < 0.0:
+                centre = x[c:d].mean(0)  # the stitch that joins a round is not worked into, and is no reason to lean
         h = float(heights[nodes].mean())
         many = np.bincount(over, minlength=b - a)[:, None]
         stand = np.column_stack([np.bincount(over, x[anchors, axis], b - a) for axis in range(3)])

@@ -38,6 +38,7 @@ class Placed:
     by : the round of the part that is sewn, None for its last
     through : it is not sewn, but held to the work while that round is worked, and so many stitches of it go through both; with no
         stitch in its spot, it is worked on all of that round's stitches itself, as a skirt is, and hangs
+    points : where it points on the toy as it stands (x to its left, y up, z ahead), whatever way the settled fabric looks; None: as tilt says
     """
 
     part: str
@@ -49,6 +50,7 @@ class Placed:
     by: float | None = None
     through: int = 0
     span: Span = field(default=Span(0, 0), compare=False)
+    points: tuple[float, float, float] | None = field(default=None, compare=False)
 
     @property
     def around(self) -> bool:

@@ -13,6 +13,7 @@ from tambour.color import coded, linear
 from tambour.core.check import Array
 from tambour.core.graph import SEWN
 from tambour.core.picture import Picture
+from tambour.crochet.finish.limp import strings
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Finish, Placed, spots_of
 from tambour.crochet.maker.size import skin
@@ -135,9 +136,11 @@ def _on(record: Finish, names: dict[str, int]) -> int:
 def lies(piece: Plush) -> bool:
     """Whether the piece is so flat that one looks down on it."""
     graph = piece.built.graph
-    eyed = {f.spot.part for f in piece.built.pattern.finish if isinstance(f, Eye)}
+    finish = piece.built.pattern.finish
+    eyed = {spots_of(f)[0].part for f in finish if isinstance(f, Eye) or getattr(f, "motif", "").endswith("eyes")}
     known = Spots(piece.built).parts
     faces = np.isin(graph.part, [known[name] for name in eyed if name in known])
+    faces[[n for nodes, _ in strings(graph) for n in nodes]] = False
     # What has a face shows it, whatever lies spread about it: an octopus on its arms.
     wide, high, deep = np.ptp(piece.positions[faces] if faces.any() else piece.positions, axis=0).tolist()
     return bool(high < 0.3 * min(wide, deep))

@@ -212,7 +212,8 @@ class Assembly(Hosts):
             disc = disc and made.kind not in DOMED
             # One layer holds no stuffing: what is neither folded to a tube nor sewn to its like.
             index = self.spots.parts[f"{part.name}.1"]
-            sheet = made.kind in _SHEETS and bool(self.spots.in_rows[index]) and index not in self.sewn
+            alone = made.name in self.made.apart or (made == self.main and "stuff" not in text)
+            sheet = (made.kind in _SHEETS or alone) and bool(self.spots.in_rows[index]) and index not in self.sewn
             if disc or sheet or made.worn or made.kind in FLAT:
                 self.made.unstuffed.append(part.name)
 

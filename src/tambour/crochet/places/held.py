@@ -141,6 +141,8 @@ class Holder(Beside):
         name = copy[0].copy(copy[1])
         towards = _STEP * round(towards / _STEP) % 360.0
         record = Placed(name, spot, flat, across, tilt, towards, None, at.through, put.span)
+        if put.kind in ("leg", "foot") and tilt and at.angle is None and spot.stitch is not None:
+            record = replace(record, points=way.axis)  # which way a toy sits is not left to how its stuffing bulges
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record

@@ -452,6 +452,13 @@ class Putter(Jointer):
 def _mirrored(one: Placed, other: Placed) -> Placed:
     """The other of a pair held as the mirror image of the one: rounds that spiral lean a little, hands make up for it."""
     towards = (360.0 - one.towards) % 360.0
+    points = None if one.points is None else (-one.points[0], *one.points[1:])
     return replace(
-        other, tilt=one.tilt, towards=towards, across=-one.across if one.across else 0.0, flat=one.flat, by=one.by
+        other,
+        points=points,
+        tilt=one.tilt,
+        towards=towards,
+        across=-one.across if one.across else 0.0,
+        flat=one.flat,
+        by=one.by,
     )

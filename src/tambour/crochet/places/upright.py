@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from tambour.crochet.places.hear import Feature, Heard
-from tambour.crochet.places.names import Made
+from tambour.crochet.places.names import Made, one
 from tambour.crochet.places.onward import limbs
 from tambour.crochet.places.stand import numbers_of
 from tambour.crochet.places.toy import Toy
@@ -36,6 +36,12 @@ _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _LATER: Final = 0.6
 """Strands behind this part of a piece's rounds hang off its end."""
+_CRAWLS: Final = frozenset(
+    "caterpillar worm inchworm bookworm snake serpent slug eel raupe wurm schlange oruga gusano serpiente chenille rups slang".split()
+)
+"""Animals that lie on their bellies, all length."""
+_TITLE: Final = 9
+"""A title of fewer words speaks of one toy."""
 _HIND: Final = 0.75
 """A tail before this part of a piece's rounds says that they are not its hind end."""
 
@@ -139,6 +145,8 @@ class Upright(Toy):
                 return "side"
         if not self.spots.in_rows[part] and (said := self._shapes(main)) is not None:
             return said
+        if not arms and legs != 2 and not self.open(f"{main.name}.1") and self._crawls(main) and (early or not faces):
+            return "side"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
@@ -174,6 +182,11 @@ class Upright(Toy):
             if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
             else "end"
         )
+
+    def _crawls(self, main: Made) -> bool:
+        """Whether it is an animal that is all length and lies on its belly, by its name or its title."""
+        title = {one(w) for w in re.findall(r"[^\W\d_]+", self.text.strip().split("\n")[0])}
+        return bool(_CRAWLS & set(main.words) or (_CRAWLS & title and len(title) < _TITLE))
 
     def _from_top(self, main: Made) -> bool:
         """Whether the main part's own first words begin it at the top."""
