@@ -326,3 +326,110 @@ def test_a_tables_column_of_colours_dyes_its_rounds() -> None:
         if getattr(i, "name", "") == "color"
     }
     assert len(hues) == 2
+
+
+WITHIN = {  # what a round on 18 stitches is, in stitches, loops (/b, /f) and yarns → ways to say it
+    "9 sc/b 9 sc": [
+        "9 sc BLO, 9 sc",
+        "9 BLO sc, 9 sc",
+        "sc in next 9 sts in back loops only, sc in next 9 sts in both loops",
+        "9 sc [BLO], 9 sc",
+        "in BLO sc 9, in both loops sc 9",
+        "blo: 9 sc, then 9 sc as usual",
+    ],
+    "6 sc 6 sc/f 6 sc": ["6 sc, (flo) 6 sc, 6 sc", "6 sc, 6 flo sc, 6 sc", "6 sc, 6 sc (FLO), 6 sc"],
+    "18 sc/b": [
+        "sc in each st around (BLO)",
+        "in the back loop of each stitch, sc around",
+        "sc in each stitch around, back loops only",
+        "sc in each st around - BLO",
+    ],
+    "9 x sc/f inc/f": ["(sc, inc) x 9 in FLO", "(1 sc, 1 inc) 9 times, all in front loops only", "flo (sc, inc) x 9"],
+    "16 sc dec": [
+        "1 sc in each st until 2 sts remain, dec",
+        "sc around until last 2 sts, sc2tog",
+        "sc till there are 2 sts left, dec",
+    ],
+    "5 sc 3 inc 10 sc": [
+        "5 sc, inc in next 3, sc in rest",
+        "5 sc, 3 inc, sc the rest",
+        "5 sc, 3 inc, sc for the remainder",
+    ],
+    "17 sc inc": ["sc around, with 2 sc in the last st", "sc around, ending with 2 sc in last st", "17 sc, inc"],
+    "6 x 2 skip sc": ["sc in every 3rd st", "1 sc in every 3rd st around", "sc in every third st"],
+    "6 x 2 sc inc": [
+        "increase 6 sts evenly around",
+        "work 6 increases evenly spaced",
+        "sc around, making 6 increases evenly",
+        "sc around with 6 increases spaced evenly",
+        "inc 6 times evenly around (every 3rd st)",
+    ],
+    "6 x sc dec": [
+        "sc around evenly decreasing 6 times",
+        "decrease 6 sts evenly",
+        "sc, decreasing 6 sts evenly spaced",
+    ],
+    "2 x inc3 8 sc": ["triple inc, 8 sc, triple inc, 8 sc", "inc3, 8 sc, inc3, 8 sc", "(3 sc in next st, 8 sc) twice"],
+    "red 6 sc white 12 sc": [
+        "6 sc in red, 12 sc in white",
+        "sc 6 with red, sc 12 with white",
+        "6 sc (red), 12 sc (white)",
+        "(red) 6 sc, (white) 12 sc",
+        "6 red sc, 12 white sc",
+        "6 sc red, 12 sc white",
+        "red: 6 sc, white: 12 sc",
+        "6 sc in red, change to white, 12 sc",
+    ],
+    "18 sc red": ["sc in each st around. Change to red.", "sc around, change to red", "sc around (change to red)"],
+    "red 18 sc": ["sc around in red", "sc in each st around with red", "with red, sc around"],
+}
+
+
+def plainly(pattern, line) -> list[str]:  # type: ignore[no-untyped-def]
+    """The stitches of a round on 18, one by one, with their loops, and its yarns."""
+    made: list[str] = []
+    loops, left = "", 18
+
+    def work(items) -> None:  # type: ignore[no-untyped-def]
+        nonlocal loops, left
+        for item in items:
+            if hasattr(item, "items"):
+                times = item.times or 1000
+                while times and (item.times or left > item.leaves):
+                    work(item.items)
+                    times -= 1
+            elif item.name == "color":
+                made.append("red" if item.numbers[1] < 100 else "white")
+            elif item.name in ("blo", "flo", "bl"):
+                loops = {"blo": "/b", "flo": "/f", "bl": ""}[item.name]
+            else:
+                stitch = pattern.stitches[item.name]
+                made.extend([item.name + (loops if stitch.makes else "")] * item.times)
+                left -= stitch.takes * item.times
+
+    work(line.items)
+    return made
+
+
+def spelt(said: str) -> list[str]:
+    """``2 x 3 sc inc`` stitch by stitch."""
+    words = said.split()
+    times = int(words[0]) if words[1:2] == ["x"] else 1
+    words = words[2:] if times > 1 else words
+    one = [
+        w
+        for k, w in enumerate(words)
+        if not w.isdigit()
+        for _ in range(int(words[k - 1]) if k and words[k - 1].isdigit() else 1)
+    ]
+    return one * times
+
+
+@pytest.mark.parametrize("stitches", WITHIN)
+def test_a_round_is_said_as_anybody_likes(stitches: str) -> None:
+    for said in WITHIN[stitches]:
+        text = f"BALL\nWith white yarn.\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: {said}\nFasten off.\n"
+        pattern = read(Text(text, "ball.txt"))
+        rounds = [line for part in pattern.parts for line in part.lines if line.in_round]
+        assert plainly(pattern, rounds[3]) == spelt(stitches), said
+        assert not pattern.unread, said

@@ -208,6 +208,9 @@ class LawError(ValueError):
     """A value was built from arrays that break its laws: a fault of the caller's code, not of a user's file."""
 
 
+_NEAR = 0.65  # how alike a word is to the one that may be meant, at least
+
+
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """The hint ``did you mean "x" or "y"?`` for a misspelt word, or an empty string when nothing is near.
 
@@ -216,5 +219,8 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     """
     import difflib
 
-    near = difflib.get_close_matches(word, list(known), n=2, cutoff=0.65)
+    alike = [
+        k for k in known if 2 * sum(map(k.__contains__, word)) >= _NEAR * (len(word) + len(k))
+    ]  # no other can be near
+    near = difflib.get_close_matches(word, alike, n=2, cutoff=_NEAR)
     return "did you mean " + " or ".join(f'"{w}"' for w in near) + "?" if near else ""

@@ -56,12 +56,16 @@ def _limbs(spots: Spots) -> list[tuple[int, int, Array]]:
     stitches: (part, round, those stitches)."""
     built = spots.built
     of, found = built.graph.part, []
+    if not len(built.sewn):
+        return []
+    last: dict[int, int] = {}  # where the last round of each part begins
+    for r in built.rounds:
+        last[r.part] = max(r.first, last.get(r.part, 0))
     for k, r in enumerate(built.rounds):
-        later = any(other.part == r.part and other.first > r.last for other in built.rounds)
-        nodes = spots.stitches(k) if later and not r.aside else np.zeros(0, int)
-        pairs = (
-            built.sewn[np.isin(built.sewn, nodes).any(1)] if len(nodes) and len(built.sewn) else np.zeros((0, 2), int)
-        )
+        if r.aside or last[r.part] <= r.last:
+            continue
+        nodes = spots.stitches(k)
+        pairs = built.sewn[np.isin(built.sewn, nodes).any(1)]
         mine = np.intersect1d(pairs[of[pairs[:, 0]] != of[pairs[:, 1]]], nodes)
         if LEAST <= len(mine) / max(len(nodes), 1) <= MOST:
             found.append((r.part, k, mine))

@@ -97,9 +97,9 @@ class Spots:
                 continue
             turns, weights, rings = [0.0], [0.0], [np.zeros(0, int)]
             for r in self.built.rounds:
-                nodes = np.arange(r.first, r.last + 1)
-                if r.part != part or r.aside or len(nodes) < LEAST:
+                if r.part != part or r.aside or r.last + 1 - r.first < LEAST:
                     continue
+                nodes = np.arange(r.first, r.last + 1)
                 off = (x[nodes] - x[nodes].mean(0))[:, [0, 2]]
                 wanders = (part, int(graph.round[r.first])) in joined
                 turns.append(turns[-1] + (SLANT * 2.0 * math.pi / len(nodes) if wanders else 0.0))

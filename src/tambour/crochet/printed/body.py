@@ -33,6 +33,7 @@ _HOW: Final = frozenset(("loosely", "tightly", "firmly"))
 _HOLES: Final = frozenset("buttonhole armhole underarm strap slit".split())
 """What chains and skipped stitches are for."""
 _NEAR_BY: Final = 2  # characters between two words that nothing stands between
+_TALL: Final = ("hdc", "dc", "tr")
 _COURSED: Final = ("leave", "in", "begin", "make", "with", "over")
 
 
@@ -381,6 +382,18 @@ class Walk(Trade):
             c.tokens[c.at] = Token("stitch", named, token.start, c.tokens[c.at].end, named)
             stitch(self, found, None)
             return
+        tall, heap = c.look(1), c.look(2)
+        named = bump(heap, token.value) if tall is not None and tall.value in _TALL else ""
+        if heap is not None and named:
+            c.at += 2  # "3 dc cluster"
+            c.tokens[c.at] = Token("stitch", named, token.start, heap.end, named)
+            stitch(self, found, None)
+            return
+        hue = self.palette.color(c, c.at + 1)
+        if hue is not None and c.kind("stitch", 1 + hue[1]):  # "6 white sc"
+            words = c.tokens[c.at + 1 : c.at + 1 + hue[1]]
+            found.append(Action("color", Span(words[0].start, words[-1].end), numbers=hue[0]))
+            del c.tokens[c.at + 1 : c.at + 1 + hue[1]]
         ahead = 1
         while c.mark("x", "*", ahead=ahead) or c.key("times", ahead=ahead):
             ahead += 1

@@ -275,3 +275,14 @@ def checked(number: int, token: Token) -> Times:
     if number == 0:
         raise NotUnderstood(token, "a repeat is worked at least once", "leave the brackets out instead")
     return number, token.span
+
+
+def last_worked(found: list[Item]) -> int:
+    """Where the last item of a round begins, with the loops that it is worked into."""
+    at = len(found)
+    while at and isinstance(one := found[at - 1], Action) and one.name == "bl":
+        at -= 1
+    at -= at > 0
+    while at and isinstance(one := found[at - 1], Action) and one.name in ("flo", "blo"):
+        at -= 1
+    return at

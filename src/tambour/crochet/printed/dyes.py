@@ -8,6 +8,7 @@ from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.colors import LETTERS
+from tambour.crochet.printed.counts import last_worked
 from tambour.crochet.printed.courses import Courses
 
 _STOPPED: Final = (",", ".", ";", "(", "[", ")", "]")
@@ -79,6 +80,20 @@ class Dyes(Courses):
         c.at += 1 + shade[1]
         return True
 
+    def _behind(self) -> bool:
+        """Whether the yarn at the cursor is that of the stitches before it: "6 sc in red", "sc around with A"."""
+        c, k = self.c, self.c.at
+        while (k and c.tokens[k - 1].kind == "number") or (k and c.tokens[k - 1].word in ("x", ")", "]")):
+            k -= 1  # "sc 6 with red", "(sc, inc) x 9 in red"
+        before = c.tokens[k - 1] if k else None
+        stitches = before is not None and (before.kind == "stitch" or before.value in ("stitch", "around", "times"))
+        if not stitches or c.key("with", "in"):
+            return stitches
+        shade = self.palette.color(c)
+        return shade is not None and (
+            c.look(shade[1]) is None or c.mark(",", ".", ")", "(", ahead=shade[1])
+        )  # "6 sc red"
+
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
@@ -138,7 +153,8 @@ class Dyes(Courses):
         after = c.look(at + length - c.at + 1) if c.mark(",", ahead=at + length - c.at) else None
         if after is not None and after.word.startswith("embroider"):
             return False  # "On underside of nose, with D, embroider a smile": no round changes to it
-        found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
+        dyed = Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb)
+        found.insert(last_worked(found) if self._behind() else len(found), dyed)
         c.at = at + length
         self._other_yarn()
         c.skip_key("yarn")

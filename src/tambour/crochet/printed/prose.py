@@ -42,6 +42,9 @@ _EXPLAINED: Final = re.compile(r"(?:^|[;|,•])[ \t]*[\w./()]{1,10}[ \t]*(?:=|:|
 """One abbreviation of a list that stands in a line: "ch - chain; sc - single crochet"."""
 
 
+_LISTED: Final = re.compile(r"(?:^|;|[-–—:])[ \t]*[^\W\d][\w.]{0,9},[ \t]+[^\W\d][^,;]*(?=;|\.?$)")
+"""The same between semicolons, as old booklets have it: "Ch., chain; d.c., double crochet; tr., treble"."""
+
 _SHOWN: Final = re.compile(r"[(\[]\s*see\b[^()\[\]]*[)\]]\W*$", re.IGNORECASE)
 """What stands behind a name that a picture shows: "Neck Flange (see diagram on page 3)."."""
 _NEAR: Final = 40  # characters between a heading and another under it
@@ -78,7 +81,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             raw = [t for t in row.tokens if (t.end <= cut) == some]
             text_line(p, Row(raw, raw[0].start, raw[-1].end, row.marked if some else 0), part)
         return
-    if p.mode == "abbreviations" and len(_EXPLAINED.findall(text[row.tokens[0].start : row.tokens[-1].end])) > 1:
+    listed = tokens[0].value == "abbreviations" or p.mode == "abbreviations"
+    if (listed and len(_LISTED.findall(line)) > 1) or (p.mode == "abbreviations" and len(_EXPLAINED.findall(line)) > 1):
+        p.mode = "abbreviations"
         p.passed.append(whole)  # several in one line
         return
     if p.mode == "abbreviations" and (mine := own_stitch(tokens)) is not None:

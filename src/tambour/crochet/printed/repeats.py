@@ -17,6 +17,7 @@ from tambour.crochet.printed.counts import (
     closing,
     counted_at,
     ends_with_number,
+    last_worked,
     multiplier,
 )
 from tambour.crochet.printed.curls import curled
@@ -82,7 +83,12 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
     r.before = r.before if inner else before  # "hdc2tog (over same st as last sl st and next st)"
     c.at = end + 1
     if inner and all(isinstance(i, Action) and i.name in ("color", "flo", "blo", "bl") for i in inner):
-        found += inner
+        held = outer[max(0, begin - 2) : begin]
+        said = held[-1:] if held and held[-1].kind != "number" else held[:1]  # "6 sc (red)", "sc 6 (red)"
+        behind = any(t.kind == "stitch" or t.value in ("stitch", "around") for t in said) and len(inner) == 1
+        behind = behind and not any(t.value in ("color", "to") for t in words)  # "(change to red)"
+        at = last_worked(found) if behind else len(found)
+        found[at:at] = inner
     elif inner and place is not None:
         r.before = None
         found += _into(r, found, inner, place, Span(token.start, outer[end].end))

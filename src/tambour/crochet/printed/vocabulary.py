@@ -10,6 +10,7 @@ from typing import Any, Final
 from tambour.crochet.language.stitches import STITCHES, standard
 from tambour.crochet.printed.corners import grouped
 from tambour.crochet.printed.hooks import unsized
+from tambour.crochet.printed.inner import evened
 from tambour.crochet.printed.shorthand import plain
 from tambour.crochet.printed.tokens import Token, rows
 from tambour.crochet.printed.underside import plainly_put
@@ -57,7 +58,7 @@ class Vocabulary:
         self.code = code
         self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
         self._alone: set[str] = set()  # words that are a stitch by themselves
-        self._read: dict[int, tuple[list[Token], list[Token]]] = {}
+        self._read: dict[tuple[int, int, int], tuple[list[Token], list[Token]]] = {}
         table = TERMS[code]
         heard = table.heard
         self.labels, self.steps = frozenset((*heard.labels, *heard.steps)), frozenset(heard.steps)
@@ -98,6 +99,8 @@ class Vocabulary:
                     self._add([f"{word} {inc} 3", f"{word}{inc}3"], "stitch", f"{prefix}inc3")
                 for dec in heard.decreases:
                     self._add([f"{word} {dec}", f"{word}{dec}"], "stitch", f"{prefix}dec")
+        if self.code in ("us", "uk"):
+            self._add([f"triple {word}" for word in heard.increases], "stitch", "inc3")
         for said, what in ((heard.increases, "inc"), (heard.decreases, "dec")):
             self._add(said, "stitch", what)
             for n in range(3, 7):
@@ -141,12 +144,14 @@ class Vocabulary:
 
     def read(self, tokens: list[Token]) -> list[Token]:
         """``tokens`` with phrases made one token each, of kind "stitch" or "key", and fillers left out."""
-        known = self._read.get(id(tokens))
-        if known is None or known[0] is not tokens:
-            known = self._read[id(tokens)] = (
-                tokens,
-                plainly_put(grouped(unsized(plain(self._phrased(tokens))))),
-            )  # lines are looked at more than once
+        if not tokens:
+            return []
+        # Lines are looked at more than once, in rows that are made anew.
+        place = (tokens[0].start, tokens[-1].end, len(tokens))
+        known = self._read.get(place)
+        if known is None or known[0] != tokens:
+            made = plainly_put(grouped(unsized(plain(self._phrased(evened(tokens))))))
+            known = self._read[place] = (list(tokens), made)
         return list(known[1])
 
     def _phrased(self, tokens: list[Token]) -> list[Token]:

@@ -264,7 +264,8 @@ class Phrases:
         said = text.strip().rstrip(".").rstrip()
         small = said.lower()
         for key in keys:
-            if not all(word in small for word in _fixed(self.terms.sentences[key])):
+            fixed = _fixed(self.terms.sentences[key])
+            if (fixed and fixed[0] not in small) or not all(word in small for word in fixed):
                 continue  # most sentences are none of these
             found = self._compiled(key).fullmatch(said)
             if not found:
