@@ -40,16 +40,18 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
     known = [(r, s) for r in alike for s in r.spots]
     points = frames(taken.spots, taken.piece.positions, [s for _, s in known]).points
     rounds = [s.round for _, s in known]
-    a, b = max(1, int(np.floor(min(rounds) + 0.25))), max(1, int(np.ceil(max(rounds) - 0.25)))
+    many = max(
+        1, round(max(rounds) - min(rounds))
+    )  # as many as it is high: a place between two is in both, and counts once
+    a = max(1, round(0.5 * (max(rounds) + min(rounds)) - 0.5 * (many - 1) - 0.01))
+    b = a + many - 1
     if len(known) == 1:
         stitch = first.spots[0].stitch
         if stitch is None:
             return []
         return [own["took knot row" if rows else "took knot"].format(a=round(rounds[0]), b=round(stitch))]
-    if max(rounds) - min(rounds) < 1.0:
-        a = b = max(1, round(float(np.mean(rounds)) - 0.01))
     over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)
-    if taken.rounds(first) == (a, b) or sum(r.part == part and r.number > 0 for r in taken.built.rounds) <= _FEW:
+    if taken.rounds(first) or sum(r.part == part and r.number > 0 for r in taken.built.rounds) <= _FEW:
         over = ""  # she says it, or a snout is too small to be counted
     elif len(taken.built.graph.parts) > 1:
         over += f" ({taken.built.pattern.parts[taken.built.parts[part].section].name})"

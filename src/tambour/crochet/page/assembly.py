@@ -71,7 +71,7 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
         for sentence, notes in zip(said, _under(book, step, said)):
             lines += paragraph(sentence, width, size, None, 0.9 if lines else 0.0)
             for note in notes:
-                lines += paragraph(note, width, SMALL, SOFT, 0.9)
+                lines += paragraph(f"› {note}", width, size, None, 0.9)
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
     return _with_hers(book, found, chunks)
 

@@ -30,6 +30,7 @@ _USUAL: Final = {
     "WS": "wrong side",
     "tog": "together",
     "w/": "with",
+    "join": "slip stitch in the first stitch of the round",
 }
 """What designers write in English sentences without explaining it."""
 _LISTED: Final = {
@@ -47,6 +48,10 @@ _COUNTED: Final = re.compile(
 )
 """How a list of materials says how many eyes are needed."""
 _HOWS: Final = ("french knot", "satin stitch", "backstitch", "whipstitch")
+_JOINS: Final = re.compile(
+    r"(?<!not )(?<!n't )(?<!n’t )\bjoin\b(?=\s*(?:[.,;)(]|$)|\s+with (?:a )?(?:sl|slip) )", re.IGNORECASE
+)
+"""How a line says that its round is joined, and no part to another."""
 LEFTOVER = 5.0
 """Grams of yarn for which nobody buys a skein."""
 
@@ -144,7 +149,7 @@ def begin(book: Book) -> None:
         notes += paragraph(own["tail text"], width, space=1.4)
         notes += paragraph(own["new"], width, space=1.4)
         if book.hers is not None:
-            notes += paragraph(own["ours text"], width, SMALL, SOFT, 1.4)
+            notes += paragraph(own["ours text"], width, space=1.4)
     chunks += together(heading(book, own["notes"], width), notes, own["notes"])
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
@@ -213,7 +218,8 @@ def _of_hers(book: Book) -> list[tuple[str, str]]:
         plain = said.split("(")[0]
         if said.endswith("s") and f"{said[:-1]}(s)" in book.hers.terms:
             continue
-        if plain.lower() not in ours and re.search(rf"(?<![\w]){re.escape(plain)}(?![A-Za-z_])", whole):
+        said_so = _JOINS if plain == "join" else re.compile(rf"(?<![\w]){re.escape(plain)}(?![A-Za-z_])")
+        if plain.lower() not in ours and said_so.search(whole):
             made.append((said, book.hers.terms.get(said) or _USUAL[said]))
             ours.add(plain.lower())
     return made

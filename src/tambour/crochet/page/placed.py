@@ -93,6 +93,8 @@ class Spoken:
         """A stretch of rounds: those that it lies between, or the one that it is on."""
         a, b = math.floor(low + 0.25), math.ceil(high - 0.25)
         a = max(a, 1)  # before the first round is the ring, which has no number
+        if b - a > 1:  # over several rounds, and not in the gap between two
+            return self.page["took rounds"].format(a=a, b=b)
         if a >= b:
             return self.phrases.say("at round", round=a, stitch=None, front=None)
         return self.phrases.say("at between", round=a, next=b, stitch=None, front=None)

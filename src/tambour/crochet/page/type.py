@@ -9,7 +9,7 @@ from tambour.core.rgb import RGB
 from tambour.render.type import text_width, typeface
 
 INK: RGB = (38, 35, 33)
-SOFT: RGB = (112, 106, 100)
+SOFT: RGB = (86, 80, 75)
 HAIR: RGB = (214, 208, 200)
 PAPER: RGB = (241, 240, 238)
 """As the rasteriser shows :data:`BACKDROP`: its film rolls off what is bright."""

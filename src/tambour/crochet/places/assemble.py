@@ -168,10 +168,10 @@ class Assembly(Hosts):
             self.out += [(p.order, record) for record in put.part(p)]
         # Eyes whose rounds are known come before a muzzle, which is below them.
         self._patched(waiting)
-        self._eyes(put, [f for f in self._seeing(usual) if f.where.rounds is not None])
+        self._eyes(put, [f for f in self._seeing(usual) if f.where.rounds or f.where.end])
         for turn in ("plain", "beside"):
             if turn == "beside":
-                self._eyes(put, [f for f in self._seeing(usual) if f.where.rounds is None])
+                self._eyes(put, [f for f in self._seeing(usual) if not (f.where.rounds or f.where.end)])
             for p in [p for p in waiting if p not in trunk]:
                 if (bool(p.where.beside) and p.kind != "muzzle") == (turn == "beside"):
                     self.out += [(p.order, record) for record in put.part(p)]
@@ -394,7 +394,7 @@ class Assembly(Hosts):
 
 def _vagueness(put: Put) -> int:
     """How little a sentence says of a place: "leaving a tail to sew it to the body" least of all."""
-    if put.where.rounds:
+    if put.where.rounds or put.where.end:
         return 0
     if len(put.copies) == 1 < put.copies[0][0].copies and not put.where.beside and _OTHER_SIDE.search(put.where.text):
         return 3  # the mirror image of what is said of the first

@@ -8,12 +8,12 @@ from typing import Final
 from tambour.crochet.places import face
 from tambour.crochet.places.hairdo import COMBED, is_hair
 from tambour.crochet.places.names import Made, kind_of, one
-from tambour.crochet.places.said import VERB
+from tambour.crochet.places.said import VERB, where
 
 EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
 EYED: Final = re.compile(
     r"\b(?:insert\w*|place[ds]?|placing|attach(?:ed)?|add(?:ed)?|put|position(?:ed|ing)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|"
-    r"pop(?:ped)?|snap(?:ped)?|fit(?:ted)?|press|screw|slot|clip)\b"
+    r"go|goes|sit|sits|belong|pop(?:ped)?|snap(?:ped)?|fit(?:ted)?|press|screw|slot|clip)\b"
 )
 DRAWN: Final = re.compile(
     r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
@@ -40,6 +40,22 @@ THREAD: Final = re.compile(
 MEET: Final = re.compile(
     r"\b(?:where|at which) (?:the )?(?:head and (?:the )?body|body and (?:the )?head) (?:meet|join|are joined)\b"
 )
+UNDER_HEAD: Final = re.compile(
+    r"\b(?:(just|right|directly|immediately|straight) |(rounds?|rnds?|rows?|cm|mm|inch(?:es)?|in) (?:down )?)?(?:below|beneath|under|underneath|from) (?:of )?(?:the )?"
+    r"(?:head(?! of)|neck(?:line)?|place (?=where the head))\b"
+)
+"""How far below its head something is sewn to a body."""
+IT: Final = re.compile(
+    r"^\W*(?:(?:then|now|next|finally|and)\W+)*(?:sew|attach|pin|place|position|glue|stitch|fasten|put|secure|whipstitch)\s+(?:them|it|these|both|each one)\b"
+)
+"""What is done with something that was named before."""
+SAFETY_NOSE: Final = re.compile(r"\b(?:safety|plastic|animal|button) nose\b")
+"""A nose that is bought, as safety eyes are."""
+BLUSH: Final = re.compile(
+    r"\b(?:brush|dab|paint|rub|colou?r|dust|apply|put|add|use|give)\w*\b[^.;]*\b(?:blush(?:er)?|rouge|make-?up|chalk|pastels?)\b|\bblush\b[^.;]*\bcheeks?\b|\bcheeks?\b[^.;]*\bblush\b|"
+    r"\bcolou?r (?:in )?(?:the |his |her |its )?cheeks?\b"
+)
+"""Cheeks that are painted."""
 
 
 def assembling(text: str, names: list[str]) -> bool:
@@ -52,8 +68,14 @@ def assembling(text: str, names: list[str]) -> bool:
         or (COMBED.search(low) and re.search(r"\bhair|tails?\b|braid|\b(?:them|it) (?:in|into)\b[^.]*\bbunches", low))
     ):
         return True
+    if len(low) <= 600 and BLUSH.search(low):
+        return True
     if len(low) > 600 or not VERB.search(low):
         return False
+    if SAFETY_NOSE.search(low):
+        return True
+    if IT.match(low) and where(low).says:
+        return True
     if ALL.search(low):
         return True
     if EYES.search(low) and EYED.search(low) and not re.search(r"\beye of\b|\bneedle eye\b", low):

@@ -25,6 +25,8 @@ SIDE: Final = frozenset(
 )
 _LEVEL: Final = frozenset(("in line with", "level with", "at the level of"))
 _A_BIT: Final = re.compile(r"\b(?:a bit|a little|slightly)\s+(backwards|forwards|upwards|downwards|outwards|inwards)\b")
+_LEANS: Final = 0.5
+"""What leans more than this, as a cosine, has neither top nor bottom."""
 _NOSE_FIRST: Final = -0.7
 """A head that is worked from its nose runs back from it by so much, as a cosine."""
 _LIKE: Final = {"snout": "muzzle", "smile": "mouth", "brim": "hat", "cheek": "cheeks"}
@@ -118,6 +120,23 @@ class Beside:
         if at.apart is not None:
             return at.apart
         return None if at.apart_mm is None else round(2.0 * at.apart_mm / self.work.stitch) / 2.0
+
+    def _counted(self, at: Where, host: Host) -> Where:
+        """A place of which the height was counted from an end, by its round: the ring is round 0, an open rim the last one's edge."""
+        if at.end is None:
+            return at
+        end, many, mm = at.end
+        first, last = float(host.levels[0][1][:, 1].mean()), float(host.levels[-1][1][:, 1].mean())
+        if end not in ("magic ring", "beginning") and abs(float(host.axis[1])) < _LEANS:
+            return replace(at, end=None)  # what lies has no round at its top
+        below = end in ("bottom", "base", "lower edge", "underside")
+        below = below or (end == "neck" and any(host.name == m.name and m.kind == "head" for m in self.work.parts))
+        begun = end in ("magic ring", "beginning") or (first < last) == below
+        steps = many or (1.0 if mm is None else max(1.0, round(mm / self.work.stitch)))
+        rim = len(self.stand.spots.rim(host.part)) > 0
+        level = host.low - 1.0 + steps if begun else host.high + (0.0 if rim else 1.0) - steps
+        level = min(max(level, float(host.low)), float(host.high))
+        return replace(at, rounds=(level, level, False), end=None)
 
     # -- beside other things ------------------------------------------------------------------------------------------
 

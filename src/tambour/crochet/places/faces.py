@@ -76,6 +76,7 @@ class Facer(Putter):
         wide = 2.0 * float(host.box[1][0]) * self.work.stitch
         big = big or float(min(18.0, max(5.0, round(2.0 * _OF_A_HEAD * wide) / 2.0)))
         color = f.color or Eye(Spot("", 0.0, None)).color
+        single = single and f.where.pair is None and not re.search(r"\b(?:other|second|right) (?:eye|one)\b", f.text)
         # "on one side of the face", and then on the other: they are two
         single = single and not (f.where.stitch is None and re.search(r"\bside\b", f.text))
         if single and f.where.rounds is not None:
@@ -107,8 +108,11 @@ class Facer(Putter):
 
     def _two(self, f: Feature, host: Host, way: Way) -> list[Spot]:
         """The places of two things, mirrored about the middle of the front, the lower stitch first."""
+        f = replace(f, where=self._counted(f.where, host))
         if f.where.rounds is not None:
             level = 0.5 * (f.where.rounds[0] + f.where.rounds[1])
+            if f.where.pair is not None:
+                return [host.within(Spot(host.name, level, s, f.span)) for s in sorted(f.where.pair)]
             stitch = host.in_round(level, way.direction)
         else:
             aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
@@ -225,6 +229,7 @@ class Facer(Putter):
         """Something that is embroidered, or cheeks of felt."""
         work, name = self.work, f.what
         host = self._faced(f, name)
+        f = replace(f, where=self._counted(f.where, host))
         if name == "hair":
             bare = work.of_kind("head") if host.name in {p.copy(1) for p in work.parts if p.kind == "hat"} else None
             return self._hair(host if bare is None else work.host((bare, 1)), f)  # not on the crown of a princess
@@ -278,6 +283,11 @@ class Facer(Putter):
                 made += face.embroidered(host, drawn, p, wide, mirror, color, f.span, stitch=self.work.stitch)
             return self._by_rounds(host, made, wide) if name == "whiskers" and f.where.rounds is None else made
         point = self._single(f, host, name, wide)
+        if name == "nose" and re.search(r"\bfelt\b", f.text):
+            self._note("nose", host, [on := host.near(point, 0.1)])
+            big = size(f.text) or round(wide * work.stitch)
+            form = next((s for s in ("triangle", "heart", "circle") if s in f.text), "oval")
+            return [Felt(on, form, big, round(0.75 * big, 1), 0.0, color, f.span)]
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
 

@@ -10,7 +10,21 @@ from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places import face
-from tambour.crochet.places.assembling import ALL, BUTTONS, DRAWN, EYED, EYES, MEET, THREAD, TO
+from tambour.crochet.places.assembling import (
+    ALL,
+    BLUSH,
+    BUTTONS,
+    DRAWN,
+    EYED,
+    EYES,
+    IT,
+    MEET,
+    SAFETY_NOSE,
+    THREAD,
+    TO,
+    UNDER_HEAD,
+)
+from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
 from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, N, Where, clauses, number, where
@@ -29,10 +43,10 @@ _ADJACENT: Final = re.compile(
     r"remaining|rem|same|colou?red|felt|up|foundation|ch|chain|opening|closed|rem|corner|second|white|black|pink)\b)*\W*(?:[a-z'’]+\s+)?$"
 )
 """What may stand between a verb and what is put."""
-_PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^\s*|\beach\s+)$")
+_PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—|→-]\s*|^\s*|\beach\s+)$")
 _FIRST_DONE: Final = re.compile(
     r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend|lay|slip|drop)\w*\s+(?:down\s+|up\s+|over\s+|in\s+)?"
-    r"(?:(?:the\s+)?(?:top|bottom|end|edge|tip|base)s?\s+of\s+)?(?:the\s+|each\s+|both\s+|left\s+|right\s+)*$"
+    r"(?:(?:the\s+)?(?:open\s+|wide\s+|upper\s+|lower\s+|top\s+)?(?:top|bottom|end|edge|tip|base|opening)s?\s+of\s+)?(?:the\s+|each\s+|both\s+|left\s+|right\s+)*$"
 )
 """What is done with a part before it is sewn: "stuff the snout and sew to the head"."""
 _EDGES: Final = re.compile(
@@ -50,6 +64,15 @@ _IT: Final = re.compile(
 """A sentence that says what is done with the part that it stands in."""
 _CLOSED: Final = re.compile(r"\b(?:sew|seam|whip|stitch|close)\w*\b.*\b(?:closed|shut|close)\b|^\W*stuff\b")
 """What is done with a part before "it" is sewn on."""
+_SEWN_EYES: Final = re.compile(r"embroider|\b(?:french knots?|satin|backstitch\w*)\b")
+"""How eyes are made of thread."""
+_OF_IT: Final = re.compile(r"\b(?:rounds?|rnds?|rows?|r\s?\d+|edge|end|side)\b[^,;]{0,14}\bof\b")
+"""What is said of the rounds of what is sewn."""
+_OF_BODY: Final = frozenset(("arm", "leg", "wing", "fin", "tail", "belly"))
+"""What is sewn to a body, and never to the head above it."""
+_FROM_MEET: Final = re.compile(r"\b(?:from|below|under) (?:the place )?(?:where|at which)\b")
+_BACK, _FAR = 240, 4
+"""So many letters, and one sentence fewer, before a sentence tell what "them" are in it."""
 _WHEN: Final = re.compile(
     r"\b(?:after|before|once|until|while)\b[^,.;]*\b(?:has|have|is|are|been|sewing|attaching)\b[^,.;]*"
 )
@@ -166,6 +189,7 @@ class Heard:
             return
         heard, begin = False, 0
         own = [(at, rgb) for at, rgb in sentence.colors if not _OF_PLACE.search(low[:at]) or _YARNED.match(low, at)]
+        low = unlisted(low)
         for a, b in clauses(low):
             shades = [rgb for at, rgb in own if a <= at < b] or [rgb for _, rgb in own[:1]]
             # What says nothing alone belongs to what follows: "locate the nose 1 rnd below and embroider it".
@@ -195,8 +219,13 @@ class Heard:
         return True
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
-        low = _EDGES.sub(r"sew \1 to ", MEET.sub("at neck of body", low))
+        low = plainly(low)
+        low = _EDGES.sub(r"sew \1 to ", MEET.sub("neck of body" if _FROM_MEET.search(low) else "at neck of body", low))
         found = mentions(low, self.parts)
+        if (under := UNDER_HEAD.search(low)) and self._limbs(found, under.start()):
+            far = f"{under[2]} below" if under[2] else "just below"
+            low = f"{low[: under.start()]}{far} the top of the body{low[under.end() :]}"
+            found = mentions(low, self.parts)
         at = where(low)
         hair = SEWN_HAIR.search(low)
         if hair and not any({"hair", "wig"} & set(p.words) for p in self.parts):
@@ -213,7 +242,7 @@ class Heard:
         if glass:  # these are no eyelids that were crocheted
             found = [m for m in found if not (glass.start() <= m.start < glass.end())]
         named_eyes = any("eye" in m.copies[0][0].kinds for m in found) and not (glass and _put_eyes(low, glass.start()))
-        features = face.motifs(low) if DRAWN.search(low) else []
+        features = face.motifs(low) if DRAWN.search(low) or SAFETY_NOSE.search(low) or "felt" in low else []
         if features:  # a nose that is embroidered is no muzzle
             drawn = ("nose", "mouth", "eye", "cheek", "beak")
             found = [m for m in found if m.word not in drawn or any(m.word in p.words for p, _ in m.copies)]
@@ -221,7 +250,7 @@ class Heard:
         felt = re.search(r"\bfelt\b", low)
         eyes = EYES.search(low)
         eyed = bool(
-            eyes and EYED.search(low) and "embroider" not in low and not named_eyes and _put_eyes(low, eyes.start())
+            eyes and EYED.search(low) and not _SEWN_EYES.search(low) and not named_eyes and _put_eyes(low, eyes.start())
         )
         if (two := _ONE_OTHER.search(low)) and (which := mentions(two[1], self.parts)):
             part = which[0].copies[0][0]
@@ -236,7 +265,7 @@ class Heard:
         if eyed or (
             features
             and (
-                re.search(r"embroider|satin|knot|backstitch|straight st|whisker|blush|freckle", low)
+                re.search(r"embroider|satin|knot|backstitch|straight st|whisker|blush|freckle|safety nose", low)
                 or not found
                 or felt
                 or ((drawn_at := face.found(features[0], low)) is not None and drawn_at[0] < found[0].start)
@@ -251,6 +280,12 @@ class Heard:
                 place = own if own.says or own.wide else at if piece is low or not at.beside else replace(at, beside=())
                 self.features.append(Feature(name, host, self._region(low), place, sentence.span, order, color, low))
             return True
+        if BLUSH.search(low) and not any(m.word == "cheek" for m in found):
+            head = next((p for p in self.parts if p.single and p.kind == "head"), None)
+            self.features.append(
+                Feature("cheeks", None if head is None else (head, 1), "head", at, sentence.span, order, color, low)
+            )
+            return True
         if BUTTONS.search(low) and not re.search(r"\b(?:eyes?|nose|nostril)", low):
             head = next((p for p in self.parts if p.single and p.kind == "head"), None)
             place = replace(at, words=frozenset(), beside=())
@@ -260,6 +295,11 @@ class Heard:
         if (THREAD.search(low) or "embroider" in low) and not re.search(r"\b(?:sew|attach|whipstitch)\b", low):
             return False  # "satin stitch over the bridge of the beak": no thing that is known is drawn there
         return self._put(low, found, at, sentence, order)
+
+    @staticmethod
+    def _limbs(found: list[Mention], end: int) -> bool:
+        """Whether what is spoken of before a place are limbs of a body."""
+        return any(m.end <= end and m.copies[0][0].kind in _OF_BODY for m in found)
 
     def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:
         verb = VERB.search(low)
@@ -286,7 +326,7 @@ class Heard:
         hosts = [m for m in hosts if not m.copies[0][0].worn] or hosts
         if not hosts and to:  # "on each side of the wig"
             hosts = [m for m in found if m.start >= to.end() and m.copies[0][0].kind in ("hat", "head", "body")]
-        if to is not None and at.rounds is not None:
+        if to is not None and at.rounds is not None and _OF_IT.search(low[: to.start()]):
             # "the last round of the tail to the body": rounds of what is sewn say nothing of where.
             there = where(low[to.start() :])
             at = at if there.rounds is not None and there.rounds == at.rounds else replace(at, rounds=there.rounds)
@@ -306,6 +346,9 @@ class Heard:
             # "Fill the pot, lay the soil in and sew it down all around just under the rim (R14)"
             objects, at = laid[-1:], where(low[verb.start() :])
             hosts = hosts or [m for m in before if m.copies[0][0].vessel and m is not laid[-1]]
+        if not objects and before and IT.match(low[verb.start() :]):
+            objects = before[:1]  # "Once you like where the ears sit, sew them on"
+            hosts = [m for m in hosts if m is not before[0]]
         if not objects and _IT.match(low, verb.start()) and (meant := self._just_closed(sentence)):
             objects = meant
             hosts = [m for m in hosts if m.copies[0][0] != meant[0].copies[0][0]]
@@ -315,7 +358,12 @@ class Heard:
                 every = tuple((known, k) for k in range(1, known.copies + 1))
                 objects = [Mention(0, 0, known.words[-1] if known.words else "", every, True)]
                 hosts = [m for m in hosts if m.copies[0][0] != known]
-        if not hosts and _CLOSING.search(low) and len({c[0] for m in objects for c in m.copies}) < 2:
+        if (
+            not hosts
+            and at.rounds is None
+            and _CLOSING.search(low)
+            and len({c[0] for m in objects for c in m.copies}) < 2
+        ):
             return bool(objects or sentence.part)
         if not objects:
             return False
@@ -349,12 +397,18 @@ class Heard:
         return tuple(free[:many]) if len(free) >= many else mention.copies
 
     def _just_closed(self, sentence: Sentence) -> list[Mention]:
-        """The part of which the sentence before speaks: "Sew top of legs closed. Sew to bottom of body."."""
-        before = re.split(
-            r"[.!\n]", self._text[max(0, sentence.span.start - 120) : sentence.span.start].rstrip(" .!\n")
-        )[-1]
-        found = mentions(before, self.parts) if _CLOSED.search(before) else []
-        return found if found and found[0].copies[0][0].name != sentence.part else []
+        """The part of which the sentence before speaks: "Sew top of legs closed. Sew to bottom of body.", "Take the arms. Sew them on"."""
+        before = [
+            line
+            for line in re.split(r"[.!\n]", self._text[max(0, sentence.span.start - _BACK) : sentence.span.start])
+            if line.strip()
+        ]
+        named = IT.match(sentence.text.lower()) is not None
+        for line in before[:-_FAR:-1] if named else before[-1:]:
+            found = mentions(line, self.parts) if named or _CLOSED.search(line) else []
+            if found:
+                return found[:1] if found[0].copies[0][0].name != sentence.part else []
+        return []
 
     @staticmethod
     def _particle(low: str, verb: re.Match[str], found: list[Mention], sentence: Sentence) -> int:

@@ -115,7 +115,9 @@ class Holder(Beside):
         closed = self._shut(copy)
         if flat or standing or closed:
             line = np.array(way.line)
-            if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
+            rows = bool(self.work.spots.in_rows[self.work.spots.parts[copy[0].copy(copy[1])]])
+            upright = rows and copy[0].kind in _LAID  # a door's rows lie level, over however many rounds it reaches
+            if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3 and not upright:
                 line = host.axis - float(host.axis @ n) * n  # from round to round, also where they lie about the top
             if (
                 at.rounds is not None

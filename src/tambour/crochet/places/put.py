@@ -140,6 +140,7 @@ class Putter(Jointer):
         if kind == "spot" and onto[0].kind in within:
             region = onto[0].kind  # of the cap, and not of the legs
         host = work.host(onto, region)
+        put = replace(put, where=self._counted(put.where, host))
         told = [self._told(way, put.where, len(put.copies)) for way in ways]
         records = self._sewn(put, host, told)
         if not all(self.stand.there(r.spot) for r in records):
@@ -212,7 +213,7 @@ class Putter(Jointer):
     def _sewn(self, put: Put, host: Host, ways: list[Way]) -> list[Placed]:
         """The records of a part's copies, each put on its way."""
         made = [(c, self._spotted(put, host, way, k)) for k, (c, way) in enumerate(zip(put.copies, ways))]
-        if len(made) == 2 and put.copies[0][0] == put.copies[1][0]:
+        if len(made) == 2 and put.copies[0][0] == put.copies[1][0] and put.where.pair is None:
             made = self._paired(put, host, made)
         if len(made) == 4 and len({c[0] for c, _ in made}) == 1 and not self.work.spots.in_rows[host.part]:
             made = self._evened(host, made)
@@ -237,7 +238,8 @@ class Putter(Jointer):
     def _exactly(self, put: Put) -> bool:
         """Whether a place is said so that nothing of it is left to choose."""
         at = put.where
-        return at.stitch is not None or self._apart(at) is not None or at.aside is not None or bool(at.beside)
+        exact = (at.stitch, at.pair, at.aside, self._apart(at))
+        return any(said is not None for said in exact) or bool(at.beside)
 
     def _long(self, copy: Copy) -> bool:
         """Whether a part is much longer than wide."""
@@ -276,6 +278,8 @@ class Putter(Jointer):
                 )
             if at.stitch is not None and len(put.copies) == 1:
                 return Spot(host.name, level, at.stitch, put.span), way
+            if at.pair is not None and len(put.copies) == 2:
+                return Spot(host.name, level, sorted(at.pair)[k], put.span), way
             if len(put.copies) == 1 and self._lids(put.copies[0], lid := Spot(host.name, level, None, put.span)):
                 return lid, way
             if at.aside is not None and len(put.copies) == 1:

@@ -6,18 +6,22 @@ import re
 from dataclasses import dataclass, field
 from typing import Final
 
+from tambour.crochet.places.habits import plainly
 from tambour.crochet.words.numbers import NUMBERS
 
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"fit(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
+    r"fit(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )
 """Words that put something somewhere."""
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
 N: Final = rf"(?:\d+(?:\.\d+)?|{'|'.join(NUMBERS)})"
 _ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 _ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
+_NO_END: Final = (
+    "eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|beak|tail|wings?|brim|last|first|sts?|stitch|rounds?|rnds?|rows?"
+)
 _LENGTH: Final = r"(\d+(?:[.,]\d+)?(?:\s*[½¼¾⅓⅛⅜⅝⅞]|[- ]\d/\d)?|[½¼¾⅓⅛⅜⅝⅞])\s*-?(mm|cm|inch(?:es)?|in\b|\"|”|″|'')"
 _ROUNDS: Final = re.compile(
     rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b{_ROUND}\s?\.?\s*(\d+)(?:st|nd|rd|th)?"
@@ -45,6 +49,10 @@ _WIDE: Final = re.compile(
 _ASIDE: Final = re.compile(
     rf"({N})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
 )
+_TWO: Final = re.compile(
+    r"\b(?:between|in|into|at|on|and|&|,)\s+(?:the\s+)?(?:st|sts|stitch|stitches)\s*(?:no\.?|number|#)?\s*(\d+)\b(?:\s*(?:and|&|/|-)\s*(\d+)\b(?!\s*(?:st|(?:and|&)\s*\d)))?"
+)
+"""The stitches of two things: "the left eye between stitches 15 and 16, the right one between stitches 22 and 23"."""
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
 _BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door)"
 _AWAY: Final = re.compile(
@@ -53,6 +61,13 @@ _AWAY: Final = re.compile(
     rf"level with|at the level of|on either side of|on both sides of|at (?:the )?sides? of|in front of|behind|back from|"
     rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
 )
+_FROM_END: Final = re.compile(
+    rf"(?:({N})\s+{_ROUND}|{_LENGTH}|\b(?:just|right|directly|immediately|straight))\s+(?:(?:down|up|away|in|counted|measured)\s+)*"
+    rf"(?:(?:below|beneath|under|underneath|from)\s+(?:the\s+)?(?:very\s+)?(top|crown|neck|head|magic ring|beginning)"
+    rf"|(?:above|from)\s+(?:the\s+)?(?:very\s+)?(bottom|base|lower edge|underside))\b"
+    rf"(?! of (?:the )?(?:{_NO_END})\b)(?:\s+(?:edge|seam|opening))?(?:\s+of\s+(?:the\s+|its\s+)?(?:head|body|neck))?"
+)
+"""A height counted from an end of what a part is put on: "4 rounds below the top of the head", "2 cm from the bottom"."""
 _FACED: Final = r"opposite (?:side )?(?:from |of |to )?(?:the )?(?:face|eyes?|muzzle|snout|nose|front|belly|tummy)"
 _WHERE: Final[dict[str, str]] = {
     "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|snout|muzzle|beak|nose|face|tail|wings?|fins?|feet|last|first|sts?))",
@@ -103,6 +118,7 @@ class Where:
     wide : stitches that a thing is wide; words : of :data:`_WHERE` that were said
     beside : (relation, thing, so many rounds or stitches away or None); angle : degrees of leaning, None unsaid
     shown : a picture is meant to say it; through : it is crocheted in by so many stitches
+    end : (from which end, so many rounds or None, so many mm or None) its height is counted; pair : the stitches of two
     """
 
     rounds: tuple[float, float, bool] | None = None
@@ -117,16 +133,19 @@ class Where:
     shown: bool = False
     text: str = field(default="", compare=False)
     through: int = 0
+    end: tuple[str, float | None, float | None] | None = None
+    pair: tuple[float, float] | None = None
 
     @property
     def says(self) -> bool:
         """Whether it says anything of a place."""
-        return bool(self.rounds or self.beside or self.words & _SIDES)
+        return bool(self.rounds or self.beside or self.end or self.words & _SIDES)
 
 
 def where(text: str) -> Where:
     """What ``text`` (in small letters) says of a place."""
     rounds = None
+    text = plainly(text)
     text = _NUMBER_FIRST.sub(lambda m: f"{m[1]} row {m[2]}" + (f" {m[3]} {m[4]}" if m[4] else ""), text)
     text = _DOING.sub("", text)
     text = re.sub(r"\b(?:on|at) the outsides? of (?:the |each |both )", "beside the ", text)
@@ -136,6 +155,12 @@ def where(text: str) -> Where:
     if found:
         first, last = float(found[2]), float(found[4] or found[2])
         rounds = (first, last, found[1] == "between" and found[4] is not None)
+    end = None
+    if rounds is None and (far := _FROM_END.search(text)) is not None:
+        end = (far[4] or far[5], number(far[1]) if far[1] else None, length(far[2], far[3]) if far[2] else None)
+        text = text[: far.start()] + text[far.end() :]
+    two = _TWO.findall(text)
+    pair = (_mean(two[0]), _mean(two[1])) if len(two) == 2 else None
     apart = _APART.search(text)
     between = apart is not None and "between" in apart[0]
     steps = None if apart is None else max(number(apart[1]), number(apart[2] or apart[1])) + between
@@ -163,7 +188,14 @@ def where(text: str) -> Where:
         None if angle is None else float(angle[1]) if angle[1] else 30.0,
         bool(_SHOWN.search(text)),
         text,
+        end=end,
+        pair=pair,
     )
+
+
+def _mean(numbers: tuple[str, str]) -> float:
+    """A stitch, or the gap between two."""
+    return float(numbers[0]) if not numbers[1] else 0.5 * (float(numbers[0]) + float(numbers[1]))
 
 
 def number(word: str) -> float:

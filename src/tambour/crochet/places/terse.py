@@ -10,9 +10,21 @@ from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.said import VERB, where
 
 _NUMBERED: Final = r"^\W*(?:\d{1,2}\s*[.)]\s*)?"
-_LED: Final = re.compile(rf"{_NUMBERED}(?P<name>(?:[^\W\d_]+[ &+/-]*){{1,4}}?)\s*(?P<mark>[:–—]|\s-)(?=\s+\S)")
+_ROUND: Final = r"(?:(?:rounds?|rnds?|rds?|rows?|r)\s?\.?\s*\d|\d+(?:st|nd|rd|th)\s+(?:rounds?|rnds?|rds?|rows?))"
+_LED: Final = re.compile(
+    rf"{_NUMBERED}(?P<name>(?:[^\W\d_]+[ &+/-]*){{1,4}}?)\s*(?P<mark>[:–—|→]|\s-)(?=\s+\S)", re.IGNORECASE
+)
+_PLACE: Final = re.compile(
+    rf"^(?P<bare>\W*(?P<name>(?:[^\W\d_]+\s+){{1,3}}?))(?P<mark>[(\[]?)(?={_ROUND})", re.IGNORECASE
+)
+"""A part and the rounds it is sewn to, and no more than a bracket between: "Ears R4-R8", "Ears (R5): 12 sts apart"."""
+_COVERS: Final = re.compile(
+    rf"^\W*(?:(?:the|each|every|both|your|one)\s+)*(?P<name>[^\W\d_]+)\s+(?:should\s+|will\s+|must\s+)?"
+    rf"(?:cover|span|reach|stretch|run|take up|sit|lie)s?\s+(?:over\s+|from\s+|across\s+|between\s+|at\s+|on\s+|about\s+)?(?={_ROUND})"
+)
+"""A part and the rounds that it covers: "Each ear covers rounds 4 through 8"."""
 _AT: Final = re.compile(
-    r"^\s*(?:on|at|to|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|(?:front|back|top|bottom|middle)(?=\s*,|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b"
+    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|(?:front|back|top|bottom|middle)(?=\s*,|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
 _EYES: Final = re.compile(r"^\W*(?:the\s+)?(?:safety\s+)?eyes?\s+(?=(?:on|at|between|in|over)\b)", re.IGNORECASE)
 
@@ -55,22 +67,55 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         words = [one(w) for w in bare["name"].split()]
         if all(w in known or kind_of(w) or w in _SORTS for w in words) and words[-1] not in _SORTS:
             return bare.start("bare"), "sew "
+    if VERB.search(low):
+        return None
+    if (covers := _COVERS.match(low)) is not None and (kind_of(one(covers["name"])) or one(covers["name"]) in known):
+        return covers.end("name"), " sewn over"
     led = _LED.match(low)
-    if led is None or VERB.search(low):
+    placed = _PLACE.match(low) if led is None and len(low) < _LONG and not _WORKS.search(low) else None
+    if placed is not None:
+        return _put_there(placed, known)
+    if led is None:
         return None
     words = [one(w) for w in re.findall(r"[^\W\d_]+", led["name"])]
     at = led.end("mark")
+    if re.match(rf"\s*{_ROUND}", low[at:]) and (
+        _WORKS.search(low[at:]) or not (set(words) & known or kind_of(words[-1]) or face.motifs(low[:at]))
+    ):
+        return None  # "Ears: Rnd 1: 6 sc in magic ring"
     if words[-1] == "eye" and _AT.match(low[at:]):
         return at, " place"
+    if face.motifs(led["name"]) and not set(words) & known and where(low[at:]).rounds is not None:
+        return at, " embroider"  # "Cheeks - pink, R11"
     if led["mark"].strip() != ":" and not _AT.match(low[at:]):
         return None  # "SNOUT - rose"
     if face.motifs(led["name"]) or words == ["face"]:
         return at, " embroider"
     part = any(w in known or kind_of(w) for w in words)
-    return (at, " sew") if part and _AT.match(low[at:]) else None
+    verb = " sew at" if re.match(rf"\s*(?:{_ROUND}|(?:front|back|top|bottom|middle)\b)", low[at:]) else " sew"
+    return (at, verb) if part and _AT.match(low[at:]) else None
+
+
+def _put_there(found: re.Match[str], known: set[str]) -> tuple[int, str] | None:
+    """The verb before a part that stands straight before its rounds."""
+    words = [one(w) for w in found["name"].split()]
+    if words[-1] == "eye":
+        return found.end("name") - 1, " place at"
+    if face.motifs(found["name"]) and not set(words) & known:
+        return found.start("name"), "embroider "
+    if not all(w in known or kind_of(w) or w in _SORTS for w in words) or words[-1] in _SORTS:
+        return None
+    return found.end("name") - 1, " sew at"
 
 
 def spoken(text: str, names: list[str]) -> str:
     """The sentence with its verb."""
     found = verb_of(text, names)
     return text if found is None else text[: found[0]] + found[1] + text[found[0] :]
+
+
+def under(heading: str, text: str, names: list[str]) -> str:
+    """A place that stands under the heading of what is put there ("EARS", and below it "Between R4 and R8"), in one sentence; "" for all else."""
+    led = f"{heading}: {text}"
+    place = heading and _AT.match(text.lower()) and verb_of(text, names) is None
+    return led if place and verb_of(led, names) is not None else ""

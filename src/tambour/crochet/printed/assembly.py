@@ -13,8 +13,9 @@ from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
 from tambour.crochet.places.hear import Sentence
+from tambour.crochet.places.names import Made
 from tambour.crochet.places.said import size
-from tambour.crochet.places.terse import verb_of
+from tambour.crochet.places.terse import under, verb_of
 from tambour.crochet.places.toy import Assembled, faced, toys
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor
@@ -38,12 +39,12 @@ UNPLACED: Final = "where this goes is not understood"
 @dataclass(frozen=True)
 class Said:
     """A sentence of finishing as it stands in the text: its tokens as read; ``part``: the part that it stands in;
-    ``headed``: a heading stands between, of something that is not crocheted."""
+    ``headed``: a heading that stands between, of something that is not crocheted."""
 
     tokens: list[Token]
     part: str
     span: Span
-    headed: bool = False
+    headed: str = ""
 
 
 def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int, RGB], ...]:
@@ -59,6 +60,14 @@ def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int
             made.append((tokens[at].start - start, found[0]))
         at += found[1] if found else 1
     return tuple(made)
+
+
+def alike(heading: str, names: list[str]) -> str | None:
+    """The part that a heading of the assembly names, which it stands over once more: "Ears" over "Sew between rounds 4 and 8"."""
+    own = Made(heading, 1)
+    same = [n for n in names if set(Made(n, 1).words) == set(own.words)]
+    kind = [n for n in names if own.kind and Made(n, 1).kind == own.kind]
+    return same[-1] if same else kind[0] if len(kind) == 1 else None
 
 
 def _standing(one: Said, pattern: Pattern) -> Said:
@@ -93,11 +102,15 @@ def assembled(
         exact: Finish | None = phrases.finishing(words, span)
         glossed = english(words, built.pattern.terms)
         words = glossed.text
-        part = "" if one.headed else one.part
+        part = one.part if not one.headed or alike(one.headed, [one.part]) else ""
         held = _POSE.match(built.pattern.text.text, span.end)
         if held is not None and exact is None:
             words = " ".join((words, _BACK.sub("backwards", held["how"])))
         hues = tuple((glossed.at(place), hue) for place, hue in shades(one.tokens, palette, span.start))
+        led = "" if exact is not None else under(english(one.headed.lower(), built.pattern.terms).text, words, names)
+        if led:
+            hues = tuple((place + len(led) - len(words), hue) for place, hue in hues)
+            words = led
         if exact is None and (left_out := verb_of(words, names)) is not None:
             at, verb = left_out
             words = words[:at] + verb + words[at:]

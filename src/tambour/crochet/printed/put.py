@@ -10,8 +10,8 @@ from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.places import face
 from tambour.crochet.places.assembling import assembling
 from tambour.crochet.places.names import Made, kind_of, one
-from tambour.crochet.places.terse import spoken
-from tambour.crochet.printed.assembly import Said
+from tambour.crochet.places.terse import spoken, under
+from tambour.crochet.printed.assembly import Said, alike
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -88,10 +88,18 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     heard = english(text, p.language.code).text
     if heard is not text:
         named = any(kind_of(one(w)) for w in re.findall(r"[^\W\d_]+", heard)) or face.motifs(heard)
-        stitches = any(t.kind == "stitch" for t in tokens) and not re.search(r"\b(?:sew|embroider)\b", heard)
+        stitches = any(t.kind == "stitch" for t in tokens) and not re.search(
+            r"\b(?:sew|place|embroider)\b", spoken(heard, names)
+        )
         if not named or stitches:
             return False
-    if not assembling(spoken(_OFF.sub(" ", heard), names), names) and not _SEWN.search(text):
+    part, headed = p.parts[-1].name, p.heading.name if p.heading is not None else ""
+    led = under(english(headed.lower(), p.language.code).text, heard, names)
+    if not (
+        assembling(spoken(_OFF.sub(" ", heard), names), names)
+        or _SEWN.search(text)
+        or (led and assembling(spoken(led, names), names))
+    ):
         return False
     _filled(p, tokens)
     whole = p.source.text.text
@@ -99,7 +107,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     before, rest = _BEFORE.search(whole[line : tokens[0].start]), _UNSAID.match(whole, tokens[-1].end)
     begin = tokens[0].start if before is None else line + before.start(1)
     span = Span(begin, tokens[-1].end if rest is None else rest.end())
-    p.sentences.append(Said(tokens, p.parts[-1].name, span, p.heading is not None))
+    p.sentences.append(Said(tokens, alike(headed, names) or part if headed else part, span, headed))
     return True
 
 

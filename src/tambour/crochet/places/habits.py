@@ -1,0 +1,107 @@
+"""Habits: the many ways in which people say a place or a distance, put as one of those that are read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Final
+
+from tambour.crochet.words.numbers import NUMBERS
+
+N: Final = rf"(?:\d+(?:\.\d+)?|{'|'.join(NUMBERS)})"
+ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
+ST: Final = r"(?:stitches|stitch|sts?\.?|sc|dc)"
+_R: Final = rf"(?:the\s+)?{ROUND}\s?\.?\s*(\d+)\b"
+_FREE: Final = r"(?:(?:visible|full|whole|free|empty|open|clear|unworked|unused)\s+)?"
+_EDGE: Final = r"(?:\s+(?:edge|end|side|part|rim|point|corner|line)s?)?"
+_MEETS: Final = (
+    r"(?:touch|meet|reach|align|line|sit|lie|start|run|rest|be|is|are|go)\w*\s+(?:up\s+)?(?:with|at|on|along|in|against)?\s*"
+    r"|(?:at|on|along|in|level with|in line with)\s+"
+)
+
+_PLAIN: Final[tuple[tuple[str, str], ...]] = (
+    # rounds that a piece is sewn over
+    (
+        rf"\b(?:start|begin)\w*\s+(?:\w+\s+)?(?:at|in|on|from|with)\s+{_R},?\s*(?:and\s+)?(?:to\s+)?(?:end|finish|stop)\w*\s+(?:at|in|on|with|by)\s+{_R}",
+        r"over rounds \1 to \2",
+    ),
+    (rf"\bfrom\s+{_R}\s+(?:all the way\s+)?(?:down|up)(?:wards?)?\s+(?:to|till|until)\s+{_R}", r"over rounds \1 to \2"),
+    (
+        rf"\b(?:top|upper){_EDGE}\b(?:(?!\b(?:bottom|lower)\b)[^.;]){{0,40}}?\b{_R}[^.;\d]{{0,12}}\b(?:bottom|lower){_EDGE}\b[^.;\d]{{0,30}}?\b{_R}",
+        r"over rounds \1 to \2",
+    ),
+    (
+        rf"\b(?:top|upper)\s+(?:edge|end|side|rim)\s+(?:of (?:the )?\w+\s+)?(?:{_MEETS}){_R}",
+        r"top edge of it at round \1",
+    ),
+    (
+        rf"\b(?:bottom|lower)\s+(?:edge|end|side|rim)\s+(?:of (?:the )?\w+\s+)?(?:{_MEETS}){_R}",
+        r"lower edge on round \1",
+    ),
+    # stitches between two
+    (
+        rf"\b({N})\s+{_FREE}{ST}\s+(?:(?:visible|showing|left|remaining|free|empty|open|wide|clear|in)\s+)*(?:between|in the middle\b(?! of)|inbetween)",
+        r"\1 stitches between",
+    ),
+    (rf"\b({N})\s+(?:visible|free|empty|open|clear|unworked)\s+{ST}(?!\s+(?:between|apart))", r"\1 stitches between"),
+    (rf"\b({N})\s*-?\s*{ST}\s+(?:gap|space)\b", r"\1 stitches between"),
+    (
+        rf"\b(?:interspace|spac(?:e|ing)|gap)\s*(?:of|:|=|is)?\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
+        r"\1 stitches between",
+    ),
+    (
+        rf"\b(?:leav(?:e|ing)|skip(?:ping)?|with)\s+({N})\s+{_FREE}{ST}\s+(?:free|empty|open|unworked|visible|showing)\b",
+        r"\1 stitches between",
+    ),
+    (
+        rf"\b(?:distance|apart)\s*(?:of|:|=|is|by)?\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
+        r"\1 stitches apart",
+    ),
+    (
+        rf"\bspaced\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{ST}\b(?:\s+(?:apart|from each other)\b)?",
+        r"\1 stitches apart",
+    ),
+    (rf"\b({N})\s*{ST}\s+(?:away\s+)?from (?:one another|each other|the other)\b", r"\1 stitches apart"),
+)
+"""What is said → how it is read."""
+_TWICE: Final = re.compile(
+    rf"\b({N})\s*{ST}\s+(?:away\s+|out\s+)?(?:(?:to|on|at)\s+)?(?:either|each|both)\s+sides?\s+(?:of|from)\s+(?:the\s+)?(?:very\s+)?"
+    r"(?:middle|cent(?:er|re)|midline)(?:\s+(?:line|front|st(?:itch)?))?\b"
+)
+"""So many to each side of the middle are twice as many apart."""
+_RULES: Final[tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...]] = (
+    (_TWICE, lambda m: f"{2 * (NUMBERS[m[1]] if m[1] in NUMBERS else float(m[1])):g} stitches apart"),
+    *((re.compile(said), read) for said, read in _PLAIN),
+)
+
+
+def plainly(text: str) -> str:
+    """A sentence (in small letters) with its places and distances as :mod:`tambour.crochet.places.said` reads them."""
+    for said, read in _RULES:
+        text = said.sub(read, text)
+    return text
+
+
+_LIST: Final = re.compile(r"\s*\(([^()]*\b(?:r|rnds?|rounds?|rows?)\s?\.?\s*\d[^()]*)\)")
+"""A place in brackets behind a part: "the ears (R4-8)"."""
+_JOIN: Final = re.compile(r"\s*(?:,\s*(?:and\s+)?|\band\s+|;\s*)")
+_LEAD: Final = re.compile(r"^(\W*(?:\w+\s+){0,3}?(?:sew|attach|place|position|put|pin|stitch|glue|insert|add)\w*)\s")
+
+
+def unlisted(text: str) -> str:
+    """A sentence that lists several parts, each with its place in brackets, as one clause for each: "Place the ears (R4-8) and the muzzle
+    (R10-14)"."""
+    lead = _LEAD.match(text)
+    places = list(_LIST.finditer(text))
+    if lead is None or len(places) < 2 or any("stitch" in m[1] and " in " in m[1] for m in places):
+        return text
+    made, at = lead[1], lead.end(1)
+    for k, m in enumerate(places):
+        name = text[at : m.start()]
+        joined = _JOIN.match(name) if k else None
+        if k and joined is None:
+            return text
+        name = name[joined.end() :] if joined is not None else name
+        made += (", and place " if k else " ") + name.strip() + " at " + m[1]
+        at = m.end()
+    return made + text[at:]
