@@ -17,11 +17,14 @@ FRAMES: Final = 60
 WIDTH: Final = 480
 """Pixels along a side: films are square, as telephones show them."""
 LIGHTS: Final = 20
+ABOVE: Final = 14.0, 58.0
+"""From how high one looks at what stands, and at what lies flat, degrees."""
 
 
 def making(piece: Plush, *, frames: int = FRAMES, width: int = WIDTH) -> Iterator[Picture]:
     """The piece upright in ``frames`` square pictures, in the order of work; the last one is whole, with its face."""
     from tambour.crochet.looks import yarn
+    from tambour.crochet.page.pictures import lies
     from tambour.crochet.piece import not_empty
     from tambour.render.camera import THREE_QUARTER
     from tambour.render.raster import picture
@@ -37,7 +40,7 @@ def making(piece: Plush, *, frames: int = FRAMES, width: int = WIDTH) -> Iterato
             width=width,
             height=width,
             azimuth=THREE_QUARTER[0],
-            elevation=radians(14.0),
+            elevation=radians(ABOVE[lies(piece)]),
             lights=LIGHTS,
             frame=whole.vertices,
         )
