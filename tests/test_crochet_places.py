@@ -17,11 +17,14 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import instructions
+from tambour.crochet.places.assembling import assembling
 from tambour.crochet.places.hear import Heard, Sentence
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
+from tambour.crochet.places.terse import spoken
 from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.printed.shades import YARNS, dyed, listed
+from tambour.crochet.words.gloss import english
 from tambour.run import craft, run
 
 BALL = """Rnd 1: 6 sc in MR (6)
@@ -1185,3 +1188,54 @@ def test_soil_lies_in_its_pot(words: str) -> None:
     heard = Heard([pot, soil], [Sentence(words, Span(0, 9), "SOIL")])
     assert [(p.copies, p.host) for p in heard.puts] == [([(soil, 1)], (pot, 1))] and not heard.lost
     assert heard.puts[0].where.rounds == (14.0, 14.0, False)
+
+
+BEAR = {
+    "en": ("HEAD", "BODY", "MUZZLE", "EARS", "ARMS", "LEGS", "TAIL"),
+    "de": ("KOPF", "KORPER", "SCHNAUZE", "OHREN", "ARME", "BEINE", "SCHWANZ"),
+    "fr": ("TETE", "CORPS", "MUSEAU", "OREILLES", "BRAS", "JAMBES", "QUEUE"),
+    "es": ("CABEZA", "CUERPO", "HOCICO", "OREJAS", "BRAZOS", "PIERNAS", "COLA"),
+    "nl": ("HOOFD", "LIJF", "SNUIT", "OREN", "ARMEN", "BENEN", "STAART"),
+}
+
+
+def heard_of(code, sentence):
+    """What a sentence puts somewhere on a bear, by its kind: where."""
+    names = BEAR[code]
+    words = english(sentence, "us" if code == "en" else code).text
+    if not assembling(spoken(words, names), names):
+        return {}
+    made = [Made(name, 2 if k in (3, 4, 5) else 1) for k, name in enumerate(names)]
+    heard = Heard(made, [Sentence(spoken(words, names), Span(0, 1), "")], "")
+    found = {p.kind: p.where for p in heard.puts}
+    return found | {f.what.removeprefix("safety "): f.where for f in heard.features}
+
+
+def test_assembly_is_heard_as_fifty_people_write_it():
+    """A table of sentences, each in one more habit: what is put, in which round, how many stitches apart."""
+    wrong = []
+    for line in (Path(__file__).parent / "data" / "assembly.tsv").read_text(encoding="utf-8").splitlines():
+        code, sentence, truths = line.split("\t")
+        found = heard_of(code, sentence)
+        for what, *said in (truth.split() for truth in truths.split("; ")):
+            kinds = (
+                "eyes" if w == "EYE" else "cheeks" if w == "FELT" else w.lower().replace("_", " ")
+                for w in what.split("/")
+            )
+            at = next((found[kind] for kind in kinds if kind in found), None)
+            if at is None:
+                wrong.append(f"{sentence} -> no {what}: {sorted(found)}")
+                continue
+            for token in said:
+                value, _, about = token[1:].partition("~")
+                if token[0] == "r" and not about:
+                    good = at.rounds is not None and abs(sum(at.rounds[:2]) / 2 - float(value)) <= 0.6
+                elif token[0] == "r":
+                    good = at.rounds is not None or at.end is not None or at.says
+                else:
+                    good = at.pair is not None or (
+                        at.apart is not None and abs(at.apart - float(value)) <= 1.0 * (token[0] == "g" or bool(about))
+                    )
+                if not good:
+                    wrong.append(f"{sentence} -> {token}: {at.rounds} {at.end} {at.apart}")
+    assert not wrong, "\n".join(wrong)

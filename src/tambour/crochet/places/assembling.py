@@ -91,7 +91,7 @@ def assembling(text: str, names: list[str]) -> bool:
     if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
         return False
     if not re.search(
-        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute)\b",
+        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|cent(?:er|re)|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute)\b",
         low,
     ):
         return False
@@ -102,5 +102,7 @@ def assembling(text: str, names: list[str]) -> bool:
     known = {w for name in names for w in Made(name, 1).words}
     words = [one(w) for w in re.findall(r"[^\W\d_]+", low)]
     return any(w in known or kind_of(w) for w in words) and bool(
-        TO.search(low) or re.search(r"\b(?:as shown|as pictured|in place|together|photo)\b", low)
+        TO.search(low)
+        or where(low).end is not None
+        or re.search(r"\b(?:as shown|as pictured|in place|together|photo)\b", low)
     )

@@ -456,7 +456,7 @@ def _put_eyes(low: str, eyes: int) -> bool:
     verb = VERB.search(low)
     between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
     return not re.search(
-        r"\b(?:below|under|beneath|above|between|beside|from|to|of|as|with|around|over|atop|near|behind|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
+        r"\b(?:below|under|beneath|underneath|above|between|beside|from|to|of|as|with|around|over|atop|near|behind|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
         between,
     )
 
