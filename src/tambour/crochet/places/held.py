@@ -25,6 +25,8 @@ _STEP: Final = 5.0
 """Angles are rounded to so many degrees."""
 _ALONG_OUT: Final = 0.85
 """A seam that would run so nearly out of the fabric, as a cosine, runs level."""
+_STEADY: Final = 0.2
+"""A leg that would point farther back than this is held by its fabric alone: nobody sits so."""
 _MOST: Final = 90.0
 """What hangs straight down lies along the fabric."""
 _STILL: Final = 10.0
@@ -143,7 +145,8 @@ class Holder(Beside):
         name = copy[0].copy(copy[1])
         towards = _STEP * round(towards / _STEP) % 360.0
         record = Placed(name, spot, flat, across, tilt, towards, None, at.through, put.span)
-        if put.kind in ("leg", "foot") and tilt and at.angle is None and spot.stitch is not None:
+        ahead = way.axis is not None and way.axis[2] > -_STEADY
+        if put.kind in ("leg", "foot") and tilt and ahead and at.angle is None and spot.stitch is not None:
             record = replace(record, points=way.axis)  # which way a toy sits is not left to how its stuffing bulges
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
