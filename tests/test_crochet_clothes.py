@@ -117,11 +117,13 @@ def test_clothes_are_on_their_doll(clothes: str, name: str, where: str) -> None:
     # Over the fabric, all of it, as far as the body reaches; its upper end at the neck, or at the waist.
     under = x[wears(Spots(made.built), body, one.low, one.high)]
     wearer = Wearer(under, np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
-    cloth = Wearer(np.vstack([under, own]), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
-    deep, angle, far = (v[len(under) :] for v in (cloth.deep, cloth.angle, cloth.far))
-    deep = deep - (wearer.middle[1] - cloth.middle[1]) * -1.0
+    off = own - wearer.middle  # what hangs down a back has its own middle behind that of who wears it
+    deep, beside, ahead = off @ wearer.down, off @ wearer.side, off @ wearer.front
+    far, angle = np.hypot(beside, ahead), np.arctan2(beside, ahead)
     over = far + 0.6 > wearer.wide(deep, angle)
     assert over.mean() > 0.95
+    if where == "nape":
+        assert (ahead[deep > 1.0] < 0.5 * far[deep > 1.0]).all()  # the front is free
     head = x[graph.parts[part_of(made, "head")].start : graph.parts[part_of(made, "head")].end]
     assert own[:, 1].max() < head[:, 1].mean()
     top, tall = under[:, 1].max(), np.ptp(under[:, 1])

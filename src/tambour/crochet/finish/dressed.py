@@ -17,6 +17,10 @@ OFF: Final = 0.75
 """How far, in stitches, the fabric of clothes lies outside of the fabric below it."""
 STEEP: Final = 0.75
 """Fabric that hangs widens by so much of a row's height at the most; what is wider falls in folds."""
+GENTLY, BACK = 0.3, 0.6 * math.pi
+"""So much of a row's height a cape widens, and so far, in radians, it reaches from the middle of the back to either side."""
+HEAPED: Final = 0.25
+"""So much of its height a row that has reached the ground lies farther out than the one above: it is heaped there, and no disc."""
 FOLDS: Final = 9
 """Folds of a ruffle, all round."""
 _ABOUT: Final = (1.3, 0.4)
@@ -141,19 +145,22 @@ class Cloth:
         deep, far, fold = [], [], []
         s = wearer.catches(where, float(self.wide[0]))
         r = max(float(self.wide[0]), wearer.mean(s) + OFF) if self.closed else wearer.mean(s) + OFF
+        behind = where == "nape"
         for wide, step in zip(self.wide, self.step):
-            widest = r + STEEP * step
+            widest = r + (GENTLY if behind else STEEP) * step
             least = wearer.mean(s) + OFF
             new = max(min(float(wide), widest), least)
             if s + step > floor:  # it lies on the ground
-                new, s = r + step, floor
+                new, s = r + HEAPED * step, floor
             else:
                 s += math.sqrt(max(step * step - (new - r) ** 2, 0.1 * step * step))
             r = new
             deep.append(s)
             far.append(r)
             fold.append(max(1.0, float(wide) / max(r, 1e-6)))
-        turn = self.angle + (math.pi if where == "nape" else 0.0)
+        # A cape hangs down the back in folds, and leaves the front free, however wide it is.
+        spread = min(1.0, BACK / max(float(np.abs(self.angle).max()), BACK)) if behind else 1.0
+        turn = spread * self.angle + (math.pi if behind else 0.0)
         down, out, more = (np.array(v)[self.level] for v in (deep, far, fold))
         wave = np.minimum(out / FOLDS * np.sqrt(2.0 * (np.minimum(more, 2.5) ** 2 - 1.0)), 1.6)
         below = wearer.wide(down, turn) + OFF
