@@ -32,7 +32,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.assemble import Piece
 from tambour.crochet.model.bends import GENTLE, arched, heights, leaning, needed
-from tambour.crochet.model.bumps import taken_off, uncoloured
+from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
 from tambour.crochet.model.coarse import coarse
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
@@ -548,6 +548,22 @@ def test_a_part_is_sewn_where_and_as_all_of_it_lies_nearest(tilt: float, towards
     alone = [one.price[one.spots.index(spot), :, 0].min() for one in tries]
     assert sum(one.price.min() for one in tries) < sum(alone) - 0.05
     assert all(one.price.min() <= price for one, price in zip(tries, alone))
+
+
+def test_a_pair_of_eyes_is_on_parts_of_one_kind_not_one_on_the_head_and_one_on_a_horn() -> None:
+    counts = [6, 12, 18, 18, 18, 12, 6]
+    ball, horn = (
+        Rounds(n, 6, tuple(even(a, b) for a, b in pairwise(c))) for n, c in (("Head", counts), ("Horn", [6, 6]))
+    )
+    heads, own = settled(ball, CrochetParams()).x, settled(horn, CrochetParams()).x
+    left, right = (heads[int((heads @ np.array([side, 0.3, 1.0])).argmax())] for side in (-1.0, 1.0))
+    none: Any = None
+    on_head = Piece(ball, none, none, 0.0, (heads,), (heads,), (None,), ((0, 0),))
+    moved = own - own[0] + right + np.array([0.3, 0.0, 0.3])  # it ends beside the right eye
+    pieces = [on_head, Piece(horn, none, none, 0.0, (moved,), (moved,), (moved[-1],), ((0, 0),))]
+    eyes = tuple(Bump(at, at, 1.2, at, 0.0) for at in (left, right + np.array([0.2, 0.0, 0.2])))
+    lines = faces_of(eyes, pieces, (5.0, 5.0), False, None, [])
+    assert [line.split(",")[0] for line in lines] == ["eye(Head"] * 2
 
 
 def test_one_piece_at_a_time_is_brought_home_the_worst_first_and_the_others_stay() -> None:

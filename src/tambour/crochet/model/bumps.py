@@ -191,8 +191,11 @@ def faces_of(
     owner = np.concatenate([np.full(len(lain), k) for k, p in enumerate(pieces) for lain in p.lain])
     number = np.concatenate([np.full(len(lain), c) for p in pieces for c, lain in enumerate(p.lain)])
 
-    def spot(point: Array) -> tuple[str, float, float]:
-        node = int(((x - point) ** 2).sum(1).argmin())
+    def far(point: Array) -> Array:
+        return np.asarray(np.sqrt(((x - point) ** 2).sum(1)))
+
+    def spot(point: Array, on: int | None = None) -> tuple[str, float, float]:
+        node = int(np.where((owner == on) | (on is None), far(point), np.inf).argmin())
         name = pieces[int(owner[node])].name(int(number[node]))
         there = spot_of(spots, x, spots.parts[name], name, point, fine=fine)
         return name, there.round, there.stitch or 1.0
@@ -208,8 +211,12 @@ def faces_of(
     if len(bumps) > 1:
         wide = 0.5 * (bumps[0].wide + bumps[1].wide) * stitch[0]
         size = min(EYES, key=lambda s: abs(s - wide))
+        both = [
+            far(one.at) for one in bumps[:2]
+        ]  # a pair is on parts of one kind: not one of them on the head and one on a horn
+        on = min(range(len(pieces)), key=lambda k: sum(float(off[owner == k].min()) for off in both))
         for one in bumps[:2]:
-            name, r, s = spot(one.at)
+            name, r, s = spot(one.at, on)
             made.append(f"eye({name}, round={r:g}, stitch={s:g}, size={size}, color={shade(bumps[0], BLACK)})")
         tell.append(f"two bumps too small to be worked are safety eyes of {size} mm")
     for one in bumps[2:] if len(bumps) > 1 else bumps:

@@ -27,8 +27,8 @@ PROUD, MORE = 0.3, 0.6
 """Both ends lie so far outside of the model, and by so much more apart than they should, in stitches, or it is not worth it."""
 ACROSS = 0.5
 """The cosine of the angle at which a thread leaves the fabric, at the least: it goes through the stuffing."""
-SHORT = 1.5
-"""A thread is not pulled shorter than this, in stitches."""
+SHORT, LONG = 1.5, 12.0
+"""A thread is not pulled shorter than this, in stitches; nor is one led farther, for no needle is as long."""
 
 FIRST, TIGHT = 0.4, 0.35
 """A thread is pulled tighter than its ends belong, as fabric bulges on all sides of them: at first by such a share of what they
@@ -99,7 +99,7 @@ def chosen(last: Tried, many: int, tighter: float = FIRST) -> tuple[Hold, ...]:
     wanted = np.sqrt(((g[None] - g[:, None]) ** 2).sum(2))
     leaves, comes = -(way * out[:, None]).sum(2) / far, (way * out[None]).sum(2) / far
     across = np.minimum(leaves, comes)
-    price = np.where((across > ACROSS) & (wanted > SHORT), (far - wanted) * across, 0.0)
+    price = np.where((across > ACROSS) & (wanted > SHORT) & (wanted < LONG), (far - wanted) * across, 0.0)
     made = list(last.holds)
     for _ in range(many if len(open_) else 0):
         a, b = np.unravel_index(int(price.argmax()), price.shape)
