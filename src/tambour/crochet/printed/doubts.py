@@ -106,7 +106,7 @@ def decided(
     if (edge or 0) > 1:
         dyes = [i for i in body.items if isinstance(i, Action) and i.name == "color"] if body.both else []
         # "sc through both layers around, with grey"
-        body.items = [*dyes, *_bare([i for i in body.items if i not in dyes], source.stitches)]
+        body.items = [*dyes, *_bare([i for i in body.items if i not in dyes], body, source.stitches)]
     first = body
     known = edge is not None or _base(body, chain) is not None
     if body.refers is None and (body.stated is not None or known):
@@ -180,9 +180,13 @@ _BESIDE: Final = frozenset(("flo", "blo", "bl", "join", "color", "turn", "fo", "
 """What may stand beside a stitch that is the whole round."""
 
 
-def _bare(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
-    """``items`` with the stitch that is all they work, of which no number is said, worked all around: "Rounds 4-6: dc", "dc in BLO"."""
+def _bare(items: list[Item], body: Body, stitches: dict[str, Stitch]) -> list[Item]:
+    """``items`` with the stitch that is all they work, of which no number is said, worked all around: "Rounds 4-6: dc", "dc in BLO", and,
+    of a round that is counted, "sc (12), sl st, fasten off"."""
     at = [k for k, i in enumerate(items) if not (isinstance(i, Action) and i.name in _BESIDE)]
+    last = items[at[-1]] if len(at) == 2 and body.stated is not None else None
+    if isinstance(last, Action) and last.name in ("slst", "{slst}") and last.times == 1:
+        at.pop()
     one = items[at[0]] if len(at) == 1 else None
     if not isinstance(one, Action) or one.times_span is not None or one.times != 1 or one.name not in stitches:
         return items

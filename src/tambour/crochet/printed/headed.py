@@ -195,7 +195,7 @@ class Headed(State):
             )
             return
         else:
-            if (draft.edge or 0) > EVENED and evens(read.items):
+            if (draft.edge or 0) > EVENED and read.stated is None and evens(read.items):
                 read.items = [
                     Action("join", span),
                     *(i for i in read.items if isinstance(i, Action) and i.name == "fo"),

@@ -233,6 +233,15 @@ def list_of_numbers(c: Cursor, numbers: list[int], several: bool = False) -> boo
         c.at += ahead + 1
 
 
+def _named_again(c: Cursor, ahead: int) -> bool:
+    """Whether the word round there stands within a range that says it twice: "6.row - 11.row", "6th row to 11th row"."""
+    last = c.look(ahead + 2)
+    if last is None or last.kind not in ("number", "ordinal") or not isinstance(last.value, int):
+        return False
+    behind = ahead + 3 + c.mark(".", ahead=ahead + 3)
+    return (c.mark("-", ahead=ahead + 1) or c.key("to", ahead=ahead + 1)) and c.key("round", "row", ahead=behind)
+
+
 def list_of_ordinals(c: Cursor, numbers: list[int]) -> bool:
     """``2nd rnd``, ``5th to 8th rnds``, ``3. Rd``."""
     found: list[int] = []
@@ -255,7 +264,10 @@ def list_of_ordinals(c: Cursor, numbers: list[int]) -> bool:
             at += 1  # "1st joining rnd"
             ahead += 1
         if c.key("round", "row", ahead=ahead):
-            break
+            if not _named_again(c, ahead):
+                break
+            at += 1
+            ahead += 1
         other = ahead + c.key("and", "next", ahead=ahead)
         more = c.look(other)
         if more is not None and (more.word in _OTHER or c.key("each", "other", ahead=other)):

@@ -25,6 +25,8 @@ _IDIOMS: Final = tuple(
         (rf"({NUMBER}) (?:more )?(rounds?|rnds?|rows?) straight(?: in (?:dc|sc|tr|double crochet|single crochet))?", "{1} {2} even"),
         (rf"(work|and|,|;) ({NUMBER}) (rounds|rnds|rows) more(?= [.,;]| ?$)", "{1} {2} {3} even"),
         (r"(?:, )?ch(?:ain)? 1 (?:for|to) (?:the )?(?:colou?r change|change colou?r)(?: \( does not count as (?:a |an )?(?:st|sc|dc|hdc|stitch) \))?", ""),
+        (r"all (?:the way )?(?:a)?round (sc|dc|hdc|htr|tr|single crochet|double crochet)", "{1} around"),
+        (r"(cut|break|leave|change|attach|hide|tie off|fasten off) (?:the |your |a |long )*ropes?", "{1} the yarn"),
         (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),
         (r"counting (?:the|your) (?:turning|first|starting) ch(?:ain)?", ""),
         (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),

@@ -31,6 +31,9 @@ _OPENED: Final = {"(": ")", "[": "]", "{": "}", "<": ">", "【": "】", "«": "�
 _FRAMES: Final = (("(",), ("[",), ("{",), ("<",))
 _OWN: Final = frozenset("st sts stitch stitches of a with".split())
 """These belong to the round, and not to its count, where they stand first."""
+_BOUND: Final = frozenset("x times time more st sts stitch stitches sc dc hdc in of from and to".split())
+"""Behind these a number in brackets is none that ends a round."""
+_INTO: Final = frozenset("next of in the each every first last make work".split())
 _LONGEST: Final = 6  # words before a count
 _BESIDE: Final = frozenset((",", ""))
 _YARNS: Final = frozenset("with color colour yarn using join in make size to".split())  # "With Color 2, ch 6"
@@ -41,7 +44,24 @@ _MOST: Final = 400
 
 def tallied(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with the text's own signs as most texts have them. called : the word for a round."""
-    return _counts(_heads(unpointed(rows), vocabulary, called), vocabulary)
+    return [_parted(row) for row in _counts(_heads(unpointed(rows), vocabulary, called), vocabulary)]
+
+
+def _parted(row: Row) -> Row:
+    """``row`` with a full stop behind its count where she goes on: "sc around (18) this is the knee", "(18) cut the yarn"."""
+    tokens = row.tokens
+    for k in range(4, len(tokens) - 1):
+        after, opens = tokens[k + 1], k - 2 - (tokens[k - 1].word in _UNITS)
+        if after.word == "(" and k + 2 < len(tokens):  # "(18) (the knee looks back)"
+            after = tokens[k + 2]
+        if tokens[k].word not in (")", "]") or after.kind != "word" or after.word in _BOUND:
+            continue
+        number = tokens[opens + 1]
+        framed = tokens[opens].word in ("(", "[") and number.kind == "number" and isinstance(number.value, int)
+        if framed and opens > 2 and tokens[opens - 1].word not in _INTO:
+            stop = Token("mark", ".", tokens[k].end, tokens[k].end, None, True)
+            return replace(row, tokens=[*tokens[: k + 1], stop, *tokens[k + 1 :]])
+    return row
 
 
 def unpointed(rows: list[Row]) -> list[Row]:
