@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from tambour.crochet.printed.tokens import Row, Token
@@ -13,6 +14,10 @@ _SIGNS: Final = ("=", "-", ":")
 _PARTS: Final = (",", ";", "|", "•", "·")
 _SHORT: Final = 5  # letters of a word that stands for another
 _KEYS: Final = frozenset(("ring", "stitch", "round", "back loops", "front loops"))
+_SHAPED: Final = re.compile(
+    r"(?:work )?(?P<into>[23]) (?:(?:sc|x) )?(?:in|into) (?:1|one|same|the same|1 st|one st|the same st|same st)|(?P<of>[23]) (?:(?:sc|x) )?(?:tog|together)"
+)
+"""What an increase or a decrease is, in figures: "V = 2 in 1", "A = 2 tog"."""
 _MOST: Final = 7  # words that say what one means
 
 
@@ -51,6 +56,11 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
     )
     if end < len(tokens) and tokens[end].word == "=" and tokens[at].word == ":":
         _one(tokens[at + 1 :], vocabulary)  # "Key: sc = single crochet"
+        return
+    shaped = _SHAPED.fullmatch(" ".join(t.word for t in tokens[at + 1 : end]))
+    if shaped is not None:
+        many = shaped["into"] or shaped["of"]
+        vocabulary.define(name.word, ("inc" if shaped["into"] else "dec") + ("" if many == "2" else many))
         return
     said = vocabulary.read(tokens[at + 1 : end]) if 0 < end - at - 1 <= _MOST else []
     if len(said) != 1 or said[0].word == name.word:

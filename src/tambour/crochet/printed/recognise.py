@@ -161,6 +161,8 @@ def _letters(source: Source, rows: list[Row]) -> int:
 def _beside(tokens: list[Token], k: int) -> bool:
     before = tokens[k - 1] if k else None
     after = tokens[k + 1] if k + 1 < len(tokens) else None
+    if before is not None and before.word == ":" and tokens[k].word in ("v", "x") and after is not None:
+        return after.kind == "number" or after.word == "*"  # "R2: V*6"
     return (before is not None and (before.kind == "number" or before.word in "([,*")) and (
         after is None or after.kind == "mark" or after.kind == "number" or after.word == "in"
     )

@@ -23,6 +23,7 @@ from tambour.crochet.printed.legend import explained
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of
 from tambour.crochet.printed.notes import Heading
+from tambour.crochet.printed.numerals import numerals
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
@@ -105,8 +106,9 @@ class State:
             self.rows = told(plainly(self.rows, self.vocabulary))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
-            called = TERMS[self.language.code].words["round"][0].lower()
-            self.rows = tallied(self.rows, self.vocabulary, called)
+            terms = TERMS[self.language.code]
+            self.rows = tallied(self.rows, self.vocabulary, terms.words["round"][0].lower())
+            self.rows = numerals(self.rows, terms.stitches["sc"][0].lower(), terms.words["ring"][0])
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(
             source.text.text

@@ -44,7 +44,8 @@ _MOST: Final = 400
 
 def tallied(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with the text's own signs as most texts have them. called : the word for a round."""
-    return [_parted(row) for row in _counts(_heads(unpointed(rows), vocabulary, called), vocabulary)]
+    rows = _unlettered(unpointed(rows))
+    return [_parted(row) for row in _counts(_heads(rows, vocabulary, called), vocabulary)]
 
 
 def _parted(row: Row) -> Row:
@@ -62,6 +63,23 @@ def _parted(row: Row) -> Row:
             stop = Token("mark", ".", tokens[k].end, tokens[k].end, None, True)
             return replace(row, tokens=[*tokens[: k + 1], stop, *tokens[k + 1 :]])
     return row
+
+
+def _unlettered(rows: list[Row]) -> list[Row]:
+    """``rows`` without the letters that number the parts, "A  BODY", "B. HEAD 2x", which may be stitches elsewhere."""
+    made = list(rows)
+    meant = "a"
+    for k, row in enumerate(rows):
+        first = row.tokens[0] if len(row.tokens) > 1 else None
+        if first is None or first.word != meant or not first.capital:
+            continue
+        at = 1 + (row.tokens[1].word in (".", ")", ":"))
+        named = row.tokens[at] if at < len(row.tokens) else None
+        if named is None or named.kind != "word" or len(named.word) < 3 or not (named.capital and named.word.isalpha()):
+            continue
+        made[k] = replace(row, tokens=row.tokens[at:])
+        meant = chr(ord(meant) + 1)
+    return made if meant > "b" else rows
 
 
 def unpointed(rows: list[Row]) -> list[Row]:
