@@ -10,6 +10,8 @@ from typing import Final
 from tambour.crochet.printed.tokens import Row, Token
 
 _ROUND: Final = re.compile(r"(?:r|rd|rnd|round|row|v|t)?\d+")
+_NUMBERED: Final = re.compile(r"(?:r|rd|rnd|round|row)\d+")
+_CALLED: Final = frozenset("r rd rnd round rounds rnds row rows".split())
 _SHAPED: Final = frozenset(("v", "w", "a", "m", "inc", "dec", "incs", "decs"))
 _STOPS: Final = frozenset((",", ")", "]", "·", "•", ".", ";", "|"))
 _OPENS: Final = frozenset(("(", "["))
@@ -22,14 +24,21 @@ def numerals(rows: list[Row], stitch: str, ring: str) -> list[Row]:
 
 def _heads(tokens: list[Token]) -> list[int]:
     """Where rounds begin to say what they work: behind the colons that stand behind their numbers."""
-    return [
-        k + 1
-        for k, t in enumerate(tokens)
-        if t.word == ":"
-        and k
-        and k + 1 < len(tokens)
-        and (_ROUND.fullmatch(tokens[k - 1].word) or tokens[k - 1].kind == "number")
-    ]
+    return [k + 1 for k, t in enumerate(tokens) if t.word == ":" and k + 1 < len(tokens) and _numbered(tokens, k)]
+
+
+def _numbered(tokens: list[Token], end: int) -> bool:
+    """Whether the number of a round, or the numbers, end there: "R6-12", "Rnd 4", a number that begins the line."""
+    k = end - 1
+    while k > 0 and (tokens[k].kind == "number" or tokens[k].word in ("-", ",", "&", ".")):
+        k -= 1
+    if k < 0 or end == k:
+        return False
+    return (
+        tokens[k].kind == "number"
+        or _NUMBERED.fullmatch(tokens[k].word) is not None
+        or (k < end - 1 and tokens[k].word in _CALLED)
+    )
 
 
 def _put(tokens: list[Token], stitch: str, ring: str) -> list[Token]:

@@ -21,6 +21,7 @@ _PHRASE: Final = frozenset(
     "total totals count for of a now you have get should will be there are makes making make equals is we giving gives "
     "leaves leaving st sts stitch stitches that".split()
 )
+_POINTED: Final = frozenset(("t", "tot", "sum", "no", "number"))
 _READ: Final = (("-",), ("=",), (":",), (";",), (".",), ("|",))  # signs that every text's counts may have
 _BINDING: Final = frozenset(("x", "*", "+", "_"))
 """These bind a number to what is before it, unless they stand behind it too."""
@@ -34,6 +35,10 @@ _OWN: Final = frozenset("st sts stitch stitches of a with".split())
 _BOUND: Final = frozenset("x times time more st sts stitch stitches sc dc hdc in of from and to".split())
 """Behind these a number in brackets is none that ends a round."""
 _INTO: Final = frozenset("next of in the each every first last make work".split())
+_PARTING: Final = frozenset((";", ":", "-", "."))
+"""Signs that part what is worked from how often."""
+_SAID: Final = frozenset((",", "+"))
+_ALL: Final = frozenset("all both these those remaining rem following other same".split())
 _LONGEST: Final = 6  # words before a count
 _BESIDE: Final = frozenset((",", ""))
 _YARNS: Final = frozenset("with color colour yarn using join in make size to".split())  # "With Color 2, ch 6"
@@ -44,8 +49,46 @@ _MOST: Final = 400
 
 def tallied(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with the text's own signs as most texts have them. called : the word for a round."""
-    rows = _unlettered(unpointed(rows))
+    rows = [_again(row, vocabulary) for row in _unlettered(unpointed(rows))]
     return [_parted(row) for row in _counts(_heads(rows, vocabulary, called), vocabulary)]
+
+
+def _again(row: Row, vocabulary: Vocabulary) -> Row:
+    """``row`` with what is said to be repeated in brackets: "1 sc, inc; x 6", "sc, inc: 6 times", "6 times: sc, inc"."""
+    tokens = row.tokens
+    k = next((k for k in range(3, len(tokens)) if _repeats(tokens, k)), 0)
+    if not k:
+        return row
+    begin = _begins(tokens, vocabulary)
+    if begin is None:
+        return row
+    opens, closes = (Token("mark", sign, tokens[begin].start, tokens[begin].start) for sign in "()")
+    before = tokens[k - 1]
+    if (
+        begin < k
+        and before.word in _PARTING
+        and not any(t.word in _OPENED or t.word in _CLOSED for t in tokens[begin:k])
+    ):
+        return replace(row, tokens=[*tokens[:begin], opens, *tokens[begin : k - 1], closes, *tokens[k:]])
+    if k == begin and tokens[k + 2].word == ":":
+        end = next(
+            (n for n in range(k + 3, len(tokens)) if tokens[n].word not in _SAID and tokens[n].kind == "mark"),
+            len(tokens),
+        )
+        return replace(
+            row, tokens=[*tokens[:begin], opens, *tokens[k + 3 : end], closes, *tokens[k : k + 2], *tokens[end:]]
+        )
+    return row
+
+
+def _repeats(tokens: list[Token], k: int) -> bool:
+    """Whether "x 6", "6 x" or "6 times" stands there."""
+    one, two = tokens[k], tokens[k + 1] if k + 1 < len(tokens) else tokens[k]
+    if one.word in ("x", "*"):
+        return two.kind == "number" and tokens[k - 1].word in _PARTING
+    if re.fullmatch(r"x\d+", one.word):
+        return tokens[k - 1].word in _PARTING
+    return one.kind == "number" and two.word in ("x", "times")
 
 
 def _parted(row: Row) -> Row:
@@ -198,12 +241,9 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     for k, row in enumerate(rows):
         if len(row.tokens) < 3 or not any(c.isdigit() for t in row.tokens[:3] for c in t.word[-1:]):
             continue
-        read = vocabulary.read(row.tokens)
-        first = head(read)
-        if first is None or first.end >= len(read):
+        if (begin := _begins(row.tokens, vocabulary)) is None:
             continue
         rounds += 1
-        begin = next((n for n, t in enumerate(row.tokens) if t.start >= read[first.end].start), len(row.tokens))
         if (end := _behind(row.tokens, begin)) is not None:
             ends[k] = end
     many = Counter(shape for shape, _, _ in ends.values())
@@ -216,6 +256,21 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         opens, closes = (Token("mark", sign, count.start, count.end) for sign in "()")
         made[k] = replace(row, tokens=[*row.tokens[:at], opens, replace(count, glued=True), closes])
     return made
+
+
+def _begins(tokens: list[Token], vocabulary: Vocabulary) -> int | None:
+    """Where a line says what its round works, None where it has no head, or nothing behind it."""
+    read = vocabulary.read(tokens)
+    first = head(read)
+    if first is None or first.end >= len(read):
+        return None
+    return next((n for n, t in enumerate(tokens) if t.start >= read[first.end].start), None)
+
+
+def _of_round(tokens: list[Token], k: int) -> bool:
+    """Whether stitches are those of the round by the word at ``k`` before them: "in each st: 18", "in next 18 sts: 18"."""
+    counted = tokens[k].kind == "number" and tokens[k - 1].word not in ("x", "*")
+    return counted or tokens[k].word in _INTO | _ALL
 
 
 @dataclass(frozen=True)
@@ -266,12 +321,19 @@ def _ending(tokens: list[Token], begin: int) -> _Ending | None:
     number = end - 1
     if number <= begin or tokens[number].kind != "number" or not isinstance(tokens[number].value, int):
         return None
-    at = number - (tokens[number - 1].word in (":", "=") and tokens[number - 2].word in _PHRASE and number - 2 > begin)
-    said: list[str] = []
+    pointed = (
+        number - 2 > begin and tokens[number - 1].word in (":", "=") and tokens[number - 2].word in _PHRASE | _POINTED
+    )
+    at = number - pointed
+    pointed = pointed and not (tokens[number - 2].word in _OWN and _of_round(tokens, number - 3))
+    at -= pointed
+    said: list[str] = [tokens[at].word] if pointed else []  # "Sts = 18", "total: 18"
     while at > begin and tokens[at - 1].word in _PHRASE and len(said) < _LONGEST:
         said.insert(0, tokens[at - 1].word)
         at -= 1
-    while said and said[0] in _OWN and said[1:2] != ["count"]:  # "in each st 12", "in the next st for a total of 12"
+    while (
+        len(said) > pointed and said[0] in _OWN and said[1:2] != ["count"]
+    ):  # "in each st 12", "in the next st for a total of 12"
         said.pop(0)
         at += 1
     opening: list[str] = []
