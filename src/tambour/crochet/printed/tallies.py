@@ -85,7 +85,8 @@ def _repeats(tokens: list[Token], k: int) -> bool:
     """Whether "x 6", "6 x" or "6 times" stands there."""
     one, two = tokens[k], tokens[k + 1] if k + 1 < len(tokens) else tokens[k]
     if one.word in ("x", "*"):
-        return two.kind == "number" and tokens[k - 1].word in _PARTING
+        ends = k + 2 >= len(tokens) or tokens[k + 2].kind == "mark"  # no "*2 sc in next st; rep from *"
+        return two.kind == "number" and ends and tokens[k - 1].word in _PARTING
     if re.fullmatch(r"x\d+", one.word):
         return tokens[k - 1].word in _PARTING
     return one.kind == "number" and two.word in ("x", "times")
