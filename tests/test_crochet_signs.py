@@ -188,6 +188,20 @@ BEHIND = [
     " -({c})",
     " =({c})",
     " =[{c}]",
+    " » {c}",
+    " ► {c}",
+    " ⇒ {c}",
+    " ·{c}·",
+    " ⟨{c}⟩",
+    " [= {c} sts]",
+    " T={c}",
+    " t: {c}",
+    " sts: {c}",
+    " Sts = {c}",
+    " stitches: {c}",
+    " ({c} m)",
+    " / {c} st /",
+    " ({c}) this part is round as an apple",
     " ",
 ]
 """What stands behind a round: its count as c."""
@@ -241,6 +255,14 @@ WORDS = [
         "sc in each of the 18 sts",
         "sc in first st, dec over next two, rep to end of round",
     ),
+    ("6 sc in a ring", "inc × 6", "1 sc, inc; × 6", "sc", "1 sc, dec; × 6"),
+    ("6 sc in a ring", "inc: x6", "sc, inc: x6", "all around sc", "sc, dec: x6"),
+    ("6 sc in a ring", "inc - x 6", "1 sc, inc - x 6", "18 sc", "1 sc, dec - x 6"),
+    ("6 sc in a ring", "inc. × 6", "1 sc, inc. 6 times", "18 sc", "1 sc, dec. 6 times"),
+    ("6 sc in a ring", "6 times: inc", "6 times: 1 sc, inc", "18 sc", "6 times: 1 sc, dec"),
+    ("6 sc in a ring", "6×: inc", "6×: 1 sc, inc", "18 sc", "6×: 1 sc, dec"),
+    ("6", "V*6", "(1,V)*6", "18", "(1,A)*6"),
+    ("MR 6", "inc*6", "(1,inc)*6", "18", "(1,dec)*6"),
 ]
 """Five rounds: a ring of six, increases, a repeat, a plain round, a repeat with decreases."""
 
@@ -433,3 +455,23 @@ def test_a_round_is_said_as_anybody_likes(stitches: str) -> None:
         rounds = [line for part in pattern.parts for line in part.lines if line.in_round]
         assert plainly(pattern, rounds[3]) == spelt(stitches), said
         assert not pattern.unread, said
+
+
+CARD = "BEETLE\n\nSIGNS\nV = 2 in 1 · W = 3 in 1 · A = 2 tog\n\n"
+
+
+@pytest.mark.parametrize(
+    ("titles", "copies"),
+    [
+        (("A  BODY  1x  C1", "B  LEG  6x  C2"), 6),
+        (("BODY 1x brown", "LEG 6x dark green"), 6),
+        (("A. BODY", "B. LEGS 2x"), 2),
+    ],
+)
+def test_a_kits_card_says_numbers_alone(titles: tuple[str, str], copies: int) -> None:
+    body, leg = titles
+    text = f"{CARD}{body}\nR1: 6 (6)\nR2: V*6 =12\nR3-4: 12\nR5: 1,V,10 =13\n\n{leg}\nR1: 4 (4) · R2-3: 4 · R4: 1,V,2 =5 · R5-8: 5\n"
+    pattern = read(Text(text, "card.txt"))
+    made = [[w.made for w in build(pattern).worked if w.part == k and w.line.in_round] for k in (0, 1)]
+    assert made == [[6, 12, 12, 12, 13], [4, 4, 4, 5, 5, 5, 5, 5]] and pattern.parts[1].copies == copies
+    assert not pattern.unread

@@ -23,34 +23,33 @@ def banners(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     """``rows`` with what frames or numbers a part's name taken off, and such a line marked as a heading."""
     made: list[Row] = []
     for row in rows:
-        made += _remarked(text, _unframed(text, _yarned(row), vocabulary), vocabulary) if row.tokens else [row]
+        made += (
+            _remarked(text, _unframed(text, _copied(row, vocabulary), vocabulary), vocabulary) if row.tokens else [row]
+        )
     return made
 
 
 _YARN: Final = 3  # words of a yarn's name
 
 
-def _yarned(row: Row) -> Row:
-    """A heading with the yarn behind its copies in brackets, as most have it: ``LEG 6x C1``, ``HORN 2x dark brown``."""
+def _copied(row: Row, vocabulary: Vocabulary) -> Row:
+    """A heading with its copies and the yarn behind them as most have it: ``LEG 6x C1``, ``HORN 2x dark brown``; an x may be a stitch elsewhere."""
     tokens = row.tokens
     at = next((k for k, t in enumerate(tokens) if t.kind != "word"), 0)
-    times = tokens[at + 1 : at + 2]
-    yarn = tokens[at + 2 :]
+    if not 0 < at <= _WORDS or not tokens[0].capital or tokens[at].kind != "number" or at + 1 == len(tokens):
+        return row
+    many, times, yarn = tokens[at], tokens[at + 1], tokens[at + 2 :]
+    make = Token("word", "make", many.start, many.start)
     if (
-        not 0 < at <= _WORDS
-        or not tokens[0].capital
-        or tokens[at].kind != "number"
-        or not times
-        or times[0].word != "x"
+        times.word != "x"
+        or len(yarn) > _YARN
+        or any(t.kind != "word" for t in yarn)
+        or vocabulary.read([make])[0].kind != "key"
     ):
         return row
-    if not 0 < len(yarn) <= _YARN or any(t.kind != "word" for t in yarn):
-        return row
-    signs = [
-        Token("mark", "(", yarn[0].start, yarn[0].start),
-        Token("mark", ")", yarn[-1].end, yarn[-1].end, None, True),
-    ]
-    return replace(row, tokens=[*tokens[: at + 2], signs[0], *yarn, signs[1]])
+    signs = [Token("mark", sign, times.end, times.end, None, sign == ")") for sign in "()"]
+    behind = [Token("word", "with", times.end, times.end), *yarn] if yarn else []
+    return replace(row, tokens=[*tokens[:at], signs[0], make, many, *behind, signs[1]])
 
 
 _REMARK: Final = 4  # words of a remark that is none of a heading's own

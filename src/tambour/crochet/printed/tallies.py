@@ -56,7 +56,7 @@ def tallied(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
 def _again(row: Row, vocabulary: Vocabulary) -> Row:
     """``row`` with what is said to be repeated in brackets: "1 sc, inc; x 6", "sc, inc: 6 times", "6 times: sc, inc"."""
     tokens = row.tokens
-    k = next((k for k in range(3, len(tokens)) if _repeats(tokens, k)), 0)
+    k = next((k for k in range(2, len(tokens)) if _repeats(tokens, k)), 0)
     if not k:
         return row
     begin = _begins(tokens, vocabulary)
@@ -70,7 +70,7 @@ def _again(row: Row, vocabulary: Vocabulary) -> Row:
         and not any(t.word in _OPENED or t.word in _CLOSED for t in tokens[begin:k])
     ):
         return replace(row, tokens=[*tokens[:begin], opens, *tokens[begin : k - 1], closes, *tokens[k:]])
-    if k == begin and tokens[k + 2].word == ":":
+    if k == begin and k + 2 < len(tokens) and tokens[k + 2].word == ":":
         end = next(
             (n for n in range(k + 3, len(tokens)) if tokens[n].word not in _SAID and tokens[n].kind == "mark"),
             len(tokens),
