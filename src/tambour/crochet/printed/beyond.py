@@ -12,6 +12,7 @@ from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.colors import numbered
+from tambour.crochet.printed.copied import copies_of, once_more
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import STARS, heads
 from tambour.crochet.printed.moved import along_edge
@@ -19,6 +20,7 @@ from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
+from tambour.crochet.words.table import TERMS
 
 EDGED: Final = "this goes along an edge that is no round's: it is not drawn"
 
@@ -179,7 +181,7 @@ def twin_made(p: State, tokens: list[Token]) -> bool:
 def again_made(p: State, tokens: list[Token]) -> bool:
     """Takes "Repeat for other legs" for copies of the part just made, and "Repeat on other armhole" for an edge that is worked once
     more, which is told; whether a sentence is either."""
-    if p.parts and tokens[0].value == "make" and _made_twice(p, tokens):
+    if p.parts and ((tokens[0].value == "make" and _made_twice(p, tokens)) or _twin(p, tokens)):
         return True
     if not p.parts or not repeats_for(tokens, ("for", "in", "to", "with", "around")):
         return False
@@ -207,6 +209,28 @@ def again_made(p: State, tokens: list[Token]) -> bool:
         not_drawn(p, span)
         return True
     return False
+
+
+def _twin(p: State, tokens: list[Token]) -> bool:
+    """Takes "Do the same for the second ear", "Make 2 of these" below a part's rounds for copies of it."""
+    draft, heard = p.parts[-1], TERMS[p.language.code].heard
+    if p.heading is not None or not draft.last:
+        return False
+    name = frozenset(w for word in draft.name.lower().replace("_", " ").split() for w in (word, one(word), f"{word}s"))
+    raw = [
+        t
+        for row in p.rows[p.row_at : p.row_at + 2]
+        for t in row.tokens
+        if tokens[0].start <= t.start and t.end <= tokens[-1].end
+    ]
+    span = Span(tokens[0].start, tokens[-1].end)
+    if many := copies_of(raw, heard, name):
+        draft.copies, draft.copies_span = max(draft.copies, many), span
+    elif once_more(raw, heard, name, draft.last):
+        draft.copies, draft.copies_span = max(draft.copies, 2), span
+    else:
+        return False
+    return True
 
 
 def _made_twice(p: State, tokens: list[Token]) -> bool:

@@ -12,6 +12,7 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.beyond import tallied
 from tambour.crochet.printed.colors import numbered
+from tambour.crochet.printed.copied import copies_of
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.formed import forms
 from tambour.crochet.printed.headlines import bare, below, copied, dyed_only, headed, named_color, small, trailing
@@ -34,6 +35,7 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unread import left_over
 from tambour.crochet.words.special import explained
+from tambour.crochet.words.table import TERMS
 
 WRAPPED: Final = 12  # lines of a paragraph
 
@@ -129,7 +131,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.heading = None
         p.passed.append(whole)
         return
-    if p.heading is not None and (more := copies_alone(tokens)) is not None:
+    if p.heading is not None and (more := copies_alone(tokens) or _copies(p, row)) is not None:
         p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
     if (hue := dyed_only(p, tokens)) is not None:
@@ -182,6 +184,13 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
     for left in lefts:
         left_over(p, left)
+
+
+def _copies(p: State, row: Row) -> tuple[int, Span] | None:
+    """The copies that a line below a heading says, and nothing else: "x2", "You need two of these."."""
+    name = p.heading.name.lower().split() if p.heading is not None else []
+    many = copies_of(row.tokens, TERMS[p.language.code].heard, frozenset(w for word in name for w in (word, one(word))))
+    return (many, Span(row.tokens[0].start, row.tokens[-1].end)) if many else None
 
 
 def _defines(tokens: list[Token]) -> bool:

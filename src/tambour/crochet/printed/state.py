@@ -33,6 +33,7 @@ from tambour.crochet.printed.shorthand import numbered, signs
 from tambour.crochet.printed.stepped import stepped
 from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tallies import tallied
+from tambour.crochet.printed.titled import titled
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.told import told
 from tambour.crochet.printed.twofold import once
@@ -116,6 +117,8 @@ class State:
             self.rows = parted(source.text.text, self.rows, self.vocabulary)
         if self.language.code in ("us", "uk"):
             self.rows = listed(self.rows, self.vocabulary)
+        if not TERMS[self.language.code].prints(source.text.text):
+            self.rows = titled(self.rows, self.vocabulary)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)
         self.rows = unwrapped(source.text.text, self.rows, self._begins_round)
         terms = TERMS[self.language.code]

@@ -23,6 +23,13 @@ _TOKEN: Final = re.compile(
 _TURKISH: Final = str.maketrans("ı", "i", "\u0307")
 _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
 _TICKS: Final = re.compile(r"`(?![^\W\d_])|(?<![^\W\d_])`")  # code in Markdown
+_TAGS: Final = re.compile(
+    r"</?(?:b|strong|i|em|u|p|br|h[1-6]|div|span|font|small|center|li|ul|ol)(?:\s[^<>\n]{0,80})?/?>|&nbsp;",
+    re.IGNORECASE,
+)
+"""What is left of a page of the web."""
+_SLANTED: Final = re.compile(r"(?<![\w])_{1,3}(?=[^\W_])|(?<=[^\W_])_{1,3}(?!\w)")
+"""Words between strokes, as Markdown has them slanted: "_Ear_"."""
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
 _WIDE: Final = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x2192: 0x3A, 0x279C: 0x3A, 0x21D2: 0x3A}
@@ -76,6 +83,8 @@ def rows(text: str) -> list[Row]:
     text = _SPLIT.sub(r"   f\1", text)  # places stay as they are
     text = text if text.isascii() else text.translate(_WIDE)
     text = _TICKS.sub(" ", text)
+    for marks in (_TAGS, _SLANTED) if "<" in text or "_" in text or "&" in text else ():
+        text = marks.sub(_blanked, text)
     tokens: list[Token] = []
     start = last = 0
     for found in _TOKEN.finditer(text):
@@ -117,6 +126,10 @@ def rows(text: str) -> list[Row]:
         last = end
     made.append(_row(tokens, start, len(text)))
     return made
+
+
+def _blanked(found: re.Match[str]) -> str:
+    return " " * len(found[0])
 
 
 def _row(tokens: list[Token], start: int, end: int) -> Row:

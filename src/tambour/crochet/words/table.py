@@ -95,6 +95,10 @@ class Heard:
     parts : English nouns of parts and faces → spellings
     fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
     labels : words that number parts of a pattern, "Part 3: Pot"; steps : such that number other things too, "Step 3: Sew the ears"
+    items : the same of headings alone, "Chapter 2: Body"; leads, trails : what stands before the name there, and behind it, and says nothing
+    using, towards : words before the yarn of a part and before the part: "use brown for the head"
+    copied : words that say how many of a part are made, beside the number; pairs : those that say two; sides : left and right, by turns
+    others, made, again : words that have a part made again: "another"; "crochet", which need not name it; and what stands with them
     """
 
     words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -109,6 +113,17 @@ class Heard:
     fillers: tuple[str, ...] = ()
     labels: tuple[str, ...] = ()
     steps: tuple[str, ...] = ()
+    items: tuple[str, ...] = ()
+    leads: tuple[str, ...] = ()
+    trails: tuple[str, ...] = ()
+    using: tuple[str, ...] = ()
+    towards: tuple[str, ...] = ()
+    copied: tuple[str, ...] = ()
+    pairs: tuple[str, ...] = ()
+    sides: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()
+    made: tuple[str, ...] = ()
+    again: tuple[str, ...] = ()
     ordinals: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
 
