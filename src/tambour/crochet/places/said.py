@@ -68,6 +68,8 @@ _FROM_END: Final = re.compile(
     rf"(?! of (?:the )?(?:{_NO_END})\b)(?:\s+(?:edge|seam|opening))?(?:\s+of\s+(?:the\s+|its\s+)?(?:head|body|neck))?"
 )
 """A height counted from an end of what a part is put on: "4 rounds below the top of the head", "2 cm from the bottom"."""
+_EDGE_AT: Final = re.compile(r"\b(?:top edge of it at|lower edge on) round \d+")
+"""Where an edge of what is sewn lies says no side of what it is sewn to."""
 _FACED: Final = r"opposite (?:side )?(?:from |of |to )?(?:the )?(?:face|eyes?|muzzle|snout|nose|front|belly|tummy)"
 _WHERE: Final[dict[str, str]] = {
     "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|snout|muzzle|beak|nose|face|tail|wings?|fins?|feet|last|first|sts?))",
@@ -170,6 +172,7 @@ def where(text: str) -> Where:
     aside = _ASIDE.search(text)
     text = _ASIDE.sub("", text)
     wide, stitch, angle = _WIDE.search(text), _STITCH.search(text), _ANGLE.search(text)
+    own = _EDGE_AT.sub("", text)
     beside = tuple(
         (m[2], m[3].rstrip("s") if m[3] not in ("eyes",) else "eye", number(m[1]) if m[1] else None)
         for m in _AWAY.finditer(text)
@@ -183,7 +186,7 @@ def where(text: str) -> Where:
         steps,
         length(mm[1], mm[2]) if mm and apart is None else None,
         number(wide[1] or wide[2]) if wide else None,
-        frozenset(name for name, pattern in _COMPILED.items() if pattern.search(text)),
+        frozenset(name for name, pattern in _COMPILED.items() if pattern.search(own)),
         beside,
         None if angle is None else float(angle[1]) if angle[1] else 30.0,
         bool(_SHOWN.search(text)),
