@@ -14,6 +14,7 @@ from tambour.crochet.printed.vocabulary import Vocabulary
 _FRAMES: Final = frozenset("*~-=<>_·•+#|/\\♥♡☆★^°:")
 _TURNS: Final = ("*", "~", "=", "_", "·", "•", "+")
 """What stands before a name and behind it."""
+_LINES: Final = frozenset("─━═-=~_")
 _WORDS: Final = 6  # of a name
 _ASIDE: Final = 8  # tokens behind a framed name: "*ARMS* (make 2)"
 _CLOSED: Final = frozenset((".", ",", ";", "!", "?"))
@@ -85,7 +86,7 @@ def _remarked(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
 
 
 def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
-    tokens, framed = row.tokens, False
+    tokens, framed = _ruled(row.tokens), False
     begin = next((k for k, t in enumerate(tokens) if not _frame(t)), len(tokens))
     end = len(tokens)
     while end > begin and _frame(tokens[end - 1]):
@@ -106,6 +107,14 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
     if at and _title(text, tokens[at:], vocabulary):
         tokens, framed = tokens[at:], True
     return replace(row, tokens=tokens, marked=max(row.marked, 1)) if framed else row
+
+
+def _ruled(tokens: list[Token]) -> list[Token]:
+    """Words with a rule behind a label as one stroke: ``PIECE 1 ─── POT``."""
+    end = 2
+    while end < len(tokens) and tokens[end].word in _LINES:
+        end += 1
+    return tokens if end < 4 else [*tokens[:2], replace(tokens[2], word="-"), *tokens[end:]]
 
 
 def _frame(token: Token) -> bool:

@@ -195,7 +195,9 @@ class Walk(Trade):
             return True
         long, chain = c.look(-1), c.look(-2)
         made = long is not None and (
-            long.kind == "stitch" or (long.kind == "number" and chain is not None and chain.value == "ch")
+            long.kind == "stitch"
+            or long.word in (",", "around")
+            or (long.kind == "number" and chain is not None and chain.value == "ch")
         )
         if token.word in _HOW and made:
             c.at += 1  # "ch 14 loosely", "5 chs very tightly"

@@ -17,7 +17,7 @@ _GOES_ON: Final = ("*", "(", "[", "{")
 
 def leaves(text: str, rows: list[Row]) -> list[Row]:
     """``rows`` without feet of pages, where a sentence goes on behind one; others stay, as they part what they stand between."""
-    feet = [k for k, row in enumerate(rows) if row.tokens and _foot(text[row.start : row.end])]
+    feet = [k for k, row in enumerate(rows) if row.tokens and is_foot(text[row.start : row.end])]
     made: list[Row] = []
     at = 0
     for foot in feet:
@@ -36,7 +36,7 @@ def leaves(text: str, rows: list[Row]) -> list[Row]:
     return [*made, *rows[at:]]
 
 
-def _foot(line: str) -> bool:
+def is_foot(line: str) -> bool:
     """Whether a line is the foot of a page."""
     found = _FOOT.match(line) if len(line) <= 120 else None
     if found is None or not 0 < int(found["page"]) <= int(found["pages"]):

@@ -68,6 +68,7 @@ YARNS: Final[dict[str, RGB]] = {
     "ecru": (236, 224, 200),
     "eggshell": (240, 232, 214),
     "emerald": (24, 128, 84),
+    "fern": (98, 138, 72),
     "flamingo": (246, 146, 158),
     "fawn": (194, 156, 116),
     "flesh": (240, 206, 176),

@@ -16,6 +16,7 @@ from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.banners import banners
 from tambour.crochet.printed.bilingual import first
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.columns import columned
 from tambour.crochet.printed.heads import head
 from tambour.crochet.printed.idioms import plainly
 from tambour.crochet.printed.leaves import leaves
@@ -97,7 +98,9 @@ class State:
 
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
-        self.rows = once(signs(first(numbered(leaves(source.text.text, rows(source.text.text))))))
+        self.rows = once(
+            signs(first(numbered(columned(source.text.text, leaves(source.text.text, rows(source.text.text))))))
+        )
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)

@@ -17,7 +17,8 @@ _EVEN: Final = re.compile(
     r"^(?:no (?:change|inc\w*|dec\w*)|without .*|same|as is|even|straight|plain|±\s*0|\+?\s*0|=|-|\W*)$"
 )
 _EYES: Final = re.compile(
-    r"\beyes?\s*\(\s*st|\bhalf eyes?\b|\b(?:in|each|every) (?:1 |one )?eyes?\b|\bchain \d+ eyes\b", re.IGNORECASE
+    r"\beyes?\s*\(\s*st|\bhalf eyes?\b|\b(?:in|into|sc|inc|dec)(?: each| every)?(?: 1| one)? eyes?\b|\bchain \d+ eyes\b",
+    re.IGNORECASE,
 )
 _BACK: Final = re.compile(r"\b(?:back|rear|far) (?:half|side|loop)\b|\bblo\b", re.IGNORECASE)
 _FRONT: Final = re.compile(r"\b(?:front|near) (?:half|loop)\b|\bflo\b", re.IGNORECASE)
