@@ -14,7 +14,7 @@ from tambour.crochet.printed.tokens import Row, Token
 
 _ROUNDS: Final = frozenset("rnd rnds round rounds rd rds r row rows # no nr".split())
 _BODIES: Final = frozenset(
-    "instruction instructions pattern directions description stitches work working do how what".split()
+    "instruction instructions pattern directions description stitches work working do what".split()
 )
 _COUNTS: Final = frozenset("sts st total totals count counts # number stitches = tot".split())
 _YARNS: Final = frozenset("yarn yarns color colour colors colours col shade hue".split())
