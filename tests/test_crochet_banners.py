@@ -106,7 +106,7 @@ def test_uk_terms_are_not_believed_of_rounds_in_sc() -> None:
         ("Mouth: black, a little V below the eyes", "Mouth: embroider black, a little V below the eyes"),
         ("Eyes between Rnds 4 and 5, 6 sts apart", "Eyes placed between Rnds 4 and 5, 6 sts apart"),
         ("Arms: sew to the body", "Arms: sew to the body"),
-        ("4) Arms: back middle on the seam", "4) Arms: sew back middle on the seam"),
+        ("4) Arms: back middle on the seam", "4) Arms: sew at back middle on the seam"),
         ("Hook: 3 mm", "Hook: 3 mm"),
         ("Arms: 5 rounds of 6", "Arms: 5 rounds of 6"),
         ("Note: at the end", "Note: at the end"),

@@ -403,6 +403,30 @@ WITHIN = {  # what a round on 18 stitches is, in stitches, loops (/b, /f) and ya
         "6 sc in red, change to white, 12 sc",
     ],
     "18 sc red": ["sc in each st around. Change to red.", "sc around, change to red", "sc around (change to red)"],
+    "2 x 8 sc inc": [
+        "sc 8, inc (2 times)",
+        "sc 8, inc [x2]",
+        "sc 8, inc (rep around)",
+        "sc 8, inc, repeat once",
+        "inc every 9 sts",
+    ],
+    "8 sc 3 ch 3 skip 7 sc": [
+        "8 sc, ch 3 over the next 3 sts, 7 sc",
+        "8 sc, leave 3 sts, ch 3, 7 sc",
+        "8 sc, 3 ch, skipping 3 sts, 7 sc",
+    ],
+    "8 sc 2 inc 8 sc": [
+        "8 sc; 2 inc; 8 sc",
+        "8 sc, then inc x2, then 8 more sc",
+        "8 sc, 2 sc per st in next 2 sts, 8 sc",
+    ],
+    "8 sc dec 8 sc": ["8 sc, 2 sc tog, 8 sc", "8 sc, sc next 2 sts tog, 8 sc", "8 sc, dec over 2 sts, 8 sc"],
+    "8 sc bobble 9 sc": ["8 sc, 5dc-bobble, 9 sc", "8 sc, bobble (5 dc), 9 sc", "8 sc, 5 dc bobble, 9 sc"],
+    "18 sc": [
+        "working in every st, sc 18",
+        "no increases, 18 sc",
+        "sc in each st around, insert eyes between rounds 2 and 3",
+    ],
     "red 18 sc": ["sc around in red", "sc in each st around with red", "with red, sc around"],
 }
 

@@ -114,8 +114,12 @@ def spoken(text: str, names: list[str]) -> str:
     return text if found is None else text[: found[0]] + found[1] + text[found[0] :]
 
 
+_REPEATED: Final = re.compile(r"\*|\bas (?:given )?for\b|^\s*(?:rep|repeat|work)\b", re.IGNORECASE)
+"""Rounds that are worked again are no place."""
+
+
 def under(heading: str, text: str, names: list[str]) -> str:
     """A place that stands under the heading of what is put there ("EARS", and below it "Between R4 and R8"), in one sentence; "" for all else."""
     led = f"{heading}: {text}"
-    place = heading and _AT.match(text.lower()) and verb_of(text, names) is None
+    place = heading and not _REPEATED.search(text) and _AT.match(text.lower()) and verb_of(text, names) is None
     return led if place and verb_of(led, names) is not None else ""

@@ -214,9 +214,11 @@ def again_made(p: State, tokens: list[Token]) -> bool:
 def _twin(p: State, tokens: list[Token]) -> bool:
     """Takes "Do the same for the second ear", "Make 2 of these" below a part's rounds for copies of it."""
     draft, heard = p.parts[-1], TERMS[p.language.code].heard
-    if p.heading is not None or not draft.last:
-        return False
+    said = p.source.text.text[p.source.text.text.rfind("\n", 0, tokens[0].start) + 1 : tokens[0].start]
+    if p.heading is not None or not draft.last or ";" in said[said.rfind(".") + 1 :]:
+        return False  # "The brim is like this; work it twice."
     name = frozenset(w for word in draft.name.lower().replace("_", " ").split() for w in (word, one(word), f"{word}s"))
+    several = {f"{one(word)}s" for word in name}  # "Repeat for the other legs" are more than two
     raw = [
         t
         for row in p.rows[p.row_at : p.row_at + 2]
@@ -226,7 +228,7 @@ def _twin(p: State, tokens: list[Token]) -> bool:
     span = Span(tokens[0].start, tokens[-1].end)
     if many := copies_of(raw, heard, name):
         draft.copies, draft.copies_span = max(draft.copies, many), span
-    elif once_more(raw, heard, name, draft.last):
+    elif once_more(raw, heard, name, draft.last) and not any(t.word in several for t in raw):
         draft.copies, draft.copies_span = max(draft.copies, 2), span
     else:
         return False

@@ -286,7 +286,8 @@ def _close(made: list[Row], table: _Table | None, hues: dict[str, str]) -> None:
         body = body[:-1]
     body = _last_capital(body, tail)
     end = max(t.end for tokens in entry.values() for t in tokens)
-    made[table.at] = replace(row, tokens=[*head, *led, *body, *rest], end=max(row.end, end))
+    stop = [_word(".", (rest or body or head)[-1])]  # a note below is none of it
+    made[table.at] = replace(row, tokens=[*head, *led, *body, *rest, *stop], end=max(row.end, end))
 
 
 def _last_capital(body: list[Token], tail: list[Token]) -> list[Token]:

@@ -9,6 +9,7 @@ from typing import Final
 from tambour.crochet.printed import inner
 from tambour.crochet.printed.cursor import OPEN
 from tambour.crochet.printed.folded import shut
+from tambour.crochet.printed.minor import plainer
 from tambour.crochet.printed.postposed import put_before
 from tambour.crochet.printed.spread import spread
 from tambour.crochet.printed.tokens import Row, Token
@@ -21,7 +22,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
-    tokens = shut(put_before(spread(inner.put(_had(_grouped(_singles(_apart(tokens))))))))
+    tokens = shut(put_before(spread(inner.put(plainer(_had(_grouped(_singles(_apart(tokens)))))))))
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]

@@ -8,10 +8,10 @@ from typing import Final
 from tambour.crochet.printed.tokens import Token
 
 _BOTH: Final = frozenset(
-    "zus zusammenhäkeln zusammen abmaschen ens ensemble sh samen samenhaken juntos juntas together".split()
+    "zus zusammenhäkeln zusammen abmaschen ens ensemble sh samen samenhaken juntos juntas together tog".split()
 )
 """Words behind stitches that are worked as one: the number before these is how many."""
-_COUNTED: Final = frozenset(("ttes les", "toutes les", "tous les", "cada"))
+_COUNTED: Final = frozenset(("ttes les", "toutes les", "tous les", "cada", "every"))
 """Words before a number of stitches of which one is meant, "cada 3 puntos"; "all 3 sts" are each of them."""
 _KINDS: Final = ("hdc", "dc", "tr", "")
 

@@ -255,7 +255,8 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         row = rows[k]
         count = row.tokens[number]
         opens, closes = (Token("mark", sign, count.start, count.end) for sign in "()")
-        made[k] = replace(row, tokens=[*row.tokens[:at], opens, replace(count, glued=True), closes])
+        stop = row.tokens[-1:] if row.tokens[-1].word == "." else []
+        made[k] = replace(row, tokens=[*row.tokens[:at], opens, replace(count, glued=True), closes, *stop])
     return made
 
 

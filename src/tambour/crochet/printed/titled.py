@@ -84,9 +84,10 @@ class _Words:
 
 
 def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
-    """``rows`` with the headings that stand over first rounds put plainly."""
+    """``rows`` with the headings that stand over first rounds put plainly; what stands over the whole text may be more than a heading."""
     words = _Words(vocabulary)
     made: list[Row] = []
+    top = next((k for k, row in enumerate(rows) if row.tokens), 0)
     for k, row in enumerate(rows):
         title = _title(row.tokens, words) if 0 < len(row.tokens) <= _LONGEST else None
         above = next((line.tokens for line in reversed(rows[max(0, k - 3) : k]) if line.tokens), [])
@@ -95,6 +96,7 @@ def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
             or not title.dressed
             or not _headed(title, rows, k, words)
             or (title.led and _stands(above, words))
+            or (k == top and not all(_hue(aside, words) for aside in title.asides))  # "Slipper sole (US terms)"
         ):
             made.append(row)
             continue
@@ -193,7 +195,8 @@ def _leads(made: _Title, tokens: list[Token], words: _Words) -> bool:
     if all(t.word in words.heard.leads or t.kind == "ordinal" or t.word in words.heard.ordinals for t in tokens):
         return True
     made.asides.append(tokens)
-    return bool(_hue(tokens, words))
+    own = len(tokens) == 1 and len(tokens[0].word) == _LETTERS  # "PUP – wings"
+    return not own and bool(_hue(tokens, words))
 
 
 def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
@@ -202,16 +205,19 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
     said, name = piece.tokens, _spelt(made.name)
     if _numbers(said, words):
         return True
+    if any(t.value in ("each", "per") or t.word in ("each", "per") for t in words.read(said)):
+        return False  # "make 2 each with A, B and C"
+    if _known(said) and not piece.bracketed:
+        return False  # "SNOUT, HEAD & TAIL" is one part
     many = copies_of(said, words.heard, name) or (
         number_of(said[0], words.heard) if len(said) == 1 and piece.mark != "/" else 0
     )
     if many:
         made.copies, made.said = many, [*made.said, *said]
         return True
-    ahead = next((k for k in range(len(said) - 1, 0, -1) if copies_of(said[:k], words.heard, name)), 0)
-    if ahead and _hue(said[ahead:], words) and not made.copies:  # "2x in dark brown"
-        made.copies, made.said = copies_of(said[:ahead], words.heard, name), said[:ahead]
-        said = said[ahead:]
+    yarn = _copied(made, said, name, words)
+    if yarn:
+        said = yarn
     elif any(number_of(t, words.heard) for t in said if t.kind == "number") and not any(
         t.value == "hook" for t in words.read(said)
     ):
@@ -224,6 +230,15 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
     return bool(_hue(said, words)) or (
         len(said) <= _ASIDE and piece.mark not in (".", "/", "|") and (piece.bracketed or len(said) > 1)
     )
+
+
+def _copied(made: _Title, said: list[Token], name: frozenset[str], words: _Words) -> list[Token]:
+    """Takes the copies before a yarn, "2x in dark brown": the yarn's words; none where it is not said so."""
+    ahead = next((k for k in range(len(said) - 1, 0, -1) if copies_of(said[:k], words.heard, name)), 0)
+    if not ahead or made.copies or not _hue(said[ahead:], words) or any(t.kind == "number" for t in said[ahead:]):
+        return []
+    made.copies, made.said = copies_of(said[:ahead], words.heard, name), said[:ahead]
+    return said[ahead:]
 
 
 def _spelt(name: list[Token]) -> frozenset[str]:
@@ -329,7 +344,7 @@ def _names(made: _Title, tokens: list[Token], words: _Words) -> bool:
         return _names(made, tokens[towards + 1 :], words)
     end = next((k for k in range(at, len(tokens)) if _behind(tokens[k], words)), len(tokens))
     name, rest = tokens[at:end], tokens[end:]
-    while len(name) > 1 and name[-1].word in heard.trails:
+    while len(name) > 1 and name[-1].word in heard.trails and kind_of(one(name[-2].word)) != "eye":
         name = name[:-1]
     made.led = made.led or at > 0
     made.dressed = made.dressed or at > 0 or len(name) < len(tokens)
@@ -341,6 +356,7 @@ def _names(made: _Title, tokens: list[Token], words: _Words) -> bool:
     if many := copies_of(rest, heard, _spelt(name)):
         made.copies, made.said = many, rest
         return True
+    rest = _copied(made, rest, _spelt(name), words) or rest
     made.asides.append(rest)
     return bool(_hue(rest, words))  # "Leg 2" is one of several, "Head with trunk" one thing
 

@@ -84,7 +84,7 @@ _SEAM = np.array([(-0.06, -0.16, -0.1), (0.02, -0.2, 0.3), (0.12, -0.3, 0.48), (
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 
 # How far kinds bulge, against other groups of stitches in one place: clusters lie flat, bobbles and popcorns stand out.
-_BULGE = {"bobble": 1.1, "cl": 0.5, "popcorn": 1.35, "puff": 0.85}
+_BULGE = {"bobble": 1.2, "cl": 0.5, "popcorn": 1.45, "puff": 0.85}
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,158 @@
+"""Printed patterns, minor words: what people add within a round, or leave out, put as most say it: "8 more sc", "no increases", "sl st loosely
+in each st", "5dc-bobble", "ch 3 over the next 3 sts", "sc 8, inc (2 times)", "8 sc; 2 inc; 8 sc"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from tambour.crochet.printed.cursor import OPEN
+from tambour.crochet.printed.tokens import Token
+
+_LISTED: Final = frozenset((",", ";", ".", ":", "(", "[", "*"))
+_TALL: Final = frozenset(("hdc", "dc", "tr"))
+_HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
+_PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
+_ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
+
+
+def plainer(tokens: list[Token]) -> list[Token]:
+    """Words as read, without what says nothing more, and in one order."""
+    made: list[Token] = []
+    at = 0
+    tokens = _listed(tokens)
+    while at < len(tokens):
+        token = tokens[at]
+        found = _dropped(tokens, at, made) or _chained(tokens, at) or _heaped(tokens, at)
+        if found is not None:
+            words, at = found
+            made += words
+            continue
+        made.append(token)
+        at += 1
+    return _often(made)
+
+
+def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Token], int] | None:
+    """What stands for words that say nothing more, and where they end."""
+    token, before = tokens[at], made[-1] if made else None
+    values = [t.value for t in tokens[at : at + 4]]
+    stands = before is None or before.word in _LISTED
+    numbered = before is not None and before.kind == "number"
+    listed = numbered and len(made) > 1 and made[-2].word in (",", "then", "and")
+    last = at + 2 >= len(tokens) or tokens[at + 2].kind == "mark"
+    if token.value == "more" and listed and last and at + 1 < len(tokens) and tokens[at + 1].kind == "stitch":
+        return [], at + 1  # "8 more sc"
+    if token.value == "light" and before is not None and before.kind == "stitch" and values[1:2] == ["in"]:
+        return [], at + 1
+    if token.word == "per" and values[1:3] == ["stitch", "in"] and before is not None and before.kind == "stitch":
+        return [replace(tokens[at + 2], start=token.start), _key(token, "each")], at + 3
+    led = stands and values[:3] == ["in", "each", "stitch"] and at + 4 < len(tokens) and tokens[at + 3].word == ","
+    if led and tokens[at + 4].kind in ("stitch", "number"):
+        return [], at + 4  # "working in every st, sc 18"
+    shaped = at + 1 < len(tokens) and tokens[at + 1].kind == "stitch" and tokens[at + 1].value in ("inc", "dec")
+    if stands and token.value == "not" and shaped:
+        past = at + 2
+        if past == len(tokens) or tokens[past].word in _ENDS:
+            return [], past + (past < len(tokens) and tokens[past].word == ",")
+    if token.word == "skipping" and values[2:3] == ["stitch"] and before is not None and before.word == ",":
+        return [replace(token, kind="stitch", word="skip", value="skip")], at + 1
+    put = (
+        token.word == ","
+        and any(t.kind == "stitch" for t in made)
+        and at + 2 < len(tokens)
+        and tokens[at + 1].word in _PUT
+    )
+    if put and any(t.value == "eyes" for t in tokens[at + 2 : at + 5]):
+        return [replace(token, word=".")], at + 1  # "sc around, insert eyes between rounds 2 and 3"
+    return None
+
+
+def _chained(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
+    """``ch 3 over the next 3 sts`` and ``leave 3 sts, ch 3`` as "ch 3, skip 3"."""
+    some = tokens[at : at + 6]
+    values = [t.value for t in some]
+    if len(some) > 4 and values[0] == "ch" and some[1].kind == "number" and values[2] == "over":
+        past = 3 + (values[3] == "next")
+        if past + 1 < len(some) and some[past].kind == "number" and values[past + 1] in ("stitch", "sc"):
+            return [*some[:2], _comma(some[2]), _skip(some[2]), some[past]], at + past + 2
+    left = values[:1] == ["leave"] and len(some) > 5 and some[1].kind == "number" and values[2] == "stitch"
+    if left and some[3].word == "," and values[4] == "ch" and some[5].kind == "number":
+        return [some[4], some[5], _comma(some[5]), _skip(some[0]), some[1]], at + 6
+    return None
+
+
+def _heaped(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
+    """``5dc-bobble`` and ``bobble (5 dc)`` as "5 dc bobble"."""
+    some = tokens[at : at + 5]
+    dashed = len(some) > 3 and some[0].kind == "number" and some[1].value in _TALL and some[2].word == "-"
+    if dashed and some[3].kind == "stitch" and some[3].value in _HEAPS:
+        return [some[0], some[1], some[3]], at + 4
+    if len(some) > 4 and some[0].kind == "stitch" and some[0].value in _HEAPS and some[1].word in OPEN:
+        alone = not at or tokens[at - 1].kind == "mark"
+        if alone and some[2].kind == "number" and some[3].value in _TALL and some[4].word in (")", "]"):
+            return [some[2], some[3], some[0]], at + 5
+    return None
+
+
+def _listed(tokens: list[Token]) -> list[Token]:
+    """``8 sc; 2 inc; 8 sc`` with commas."""
+    at = [k for k, t in enumerate(tokens) if t.word == ";"]
+    if len(at) < 2:
+        return tokens
+    for k in at:
+        before, after = tokens[max(0, k - 2) : k], tokens[k + 1 : k + 3]
+        if not all(sorted(t.kind for t in some) == ["number", "stitch"] for some in (before, after)):
+            return tokens
+    return [replace(t, word=",") if t.word == ";" else t for t in tokens]
+
+
+def _often(tokens: list[Token]) -> list[Token]:
+    """``sc 8, inc (2 times)``, ``sc 8, inc [x2]``, ``sc 8, inc (rep around)`` with the stitches in brackets, and ``sc 8, inc, repeat once`` as "1 more time"."""
+    for k, token in enumerate(tokens):
+        once = tokens[k + 1] if k and token.value == "repeat" and k + 1 < len(tokens) else token
+        ends = k + 2 >= len(tokens) or tokens[k + 2].word in _ENDS
+        if token.value == "repeat" and once.value == "once" and ends and not any(t.word == "*" for t in tokens[:k]):
+            more = [Token("number", "1", once.start, once.end, 1), _key(once, "more"), _key(once, "times")]
+            return [*tokens[: k + 1], *more, *tokens[k + 2 :]]
+        if token.word not in OPEN:
+            continue
+        end = next((n for n in range(k + 1, min(k + 6, len(tokens))) if tokens[n].word in (")", "]", "}")), 0)
+        said = tokens[k + 1 : end]
+        if not end or not said or (end + 1 < len(tokens) and tokens[end + 1].word not in ("(", "[", ".", "=", "-")):
+            continue
+        repeats = [t for t in said if t.value != "repeat"]
+        many = next((t for t in repeats if t.kind == "number" and isinstance(t.value, int)), None)
+        times = len(repeats) == 2 and many is not None and any(t.word == "x" or t.value == "times" for t in repeats)
+        around = len(said) == 2 and [t.value for t in said] == ["repeat", "around"]
+        begin = next((n for n in range(k - 1, -1, -1) if tokens[n].word in (":", ".")), -1) + 1
+        listed = tokens[begin:k]
+        if not (times or around) or not _list(listed):
+            continue
+        opens, closes = (Token("mark", sign, t.start, t.start) for sign, t in (("(", listed[0]), (")", token)))
+        behind = [Token("mark", "x", said[0].start, said[0].end), many] if times and many is not None else said
+        return [*tokens[:begin], opens, *listed, closes, *behind, *tokens[end + 1 :]]
+    return tokens
+
+
+def _list(tokens: list[Token]) -> bool:
+    """Whether tokens are stitches between commas, and no more: "sc 8, inc"."""
+    pieces: list[list[Token]] = [[]]
+    for token in tokens:
+        if token.word == ",":
+            pieces.append([])
+        else:
+            pieces[-1].append(token)
+    return len(pieces) > 1 and all(sorted(t.kind for t in p) in (["stitch"], ["number", "stitch"]) for p in pieces)
+
+
+def _key(at: Token, value: str) -> Token:
+    return Token("key", value, at.start, at.end, value)
+
+
+def _comma(at: Token) -> Token:
+    return Token("mark", ",", at.start, at.start)
+
+
+def _skip(at: Token) -> Token:
+    return Token("stitch", "skip", at.start, at.end, "skip")
