@@ -103,6 +103,7 @@ def test_a_curl_within_a_round_takes_no_stitch():
     [
         ("EARS (Make 1 with A and 1 with B)", 2),
         ("TENTACLES (make 2 each with A, B, C)", 6),
+        ("TENTACLES (make 6: 2 each with A, B, and C)", 6),
         ("WHEELS (Make 1 with B and 1 with C for Car, Make 1 with A and 1 with C for Bus)", 2),
         ("FLAPS (make 2 for Hat and 3 for Coat)", 5),
     ],
@@ -110,7 +111,12 @@ def test_a_curl_within_a_round_takes_no_stitch():
 def test_copies_in_several_yarns(heading, copies):
     text = f"{BALL}Fasten off.\n\n{heading}\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
     pattern = read_printed(Text(text, "toy.txt"))
-    assert pattern.parts[1].copies == copies and not pattern.unread
+    assert sum(part.copies for part in pattern.parts[1:]) == copies and not pattern.unread
+    dyes = [
+        [i.numbers for line in p.lines for i in line.items if getattr(i, "name", "") == "color"]
+        for p in pattern.parts[1:]
+    ]
+    assert len({tuple(d) for d in dyes}) == (3 if "each" in heading else 1)
 
 
 @pytest.mark.parametrize(

@@ -499,3 +499,9 @@ def test_a_kits_card_says_numbers_alone(titles: tuple[str, str], copies: int) ->
     made = [[w.made for w in build(pattern).worked if w.part == k and w.line.in_round] for k in (0, 1)]
     assert made == [[6, 12, 12, 12, 13], [4, 4, 4, 5, 5, 5, 5, 5]] and pattern.parts[1].copies == copies
     assert not pattern.unread
+
+
+def test_an_ordinal_with_another_ending_is_one() -> None:
+    rounds = "".join(f"{n}{'rd' if n in (13, 14) else 'th'} rnd: 1 sc in each st around.\n" for n in range(4, 15))
+    text = f"BODY\n1st rnd: 6 sc in magic ring.\n2nd rnd: 2 sc in each st.\n3rd rnd: 1 sc in each st around.\n{rounds}"
+    assert edges(text) == ([6, *[12] * 13], 0)

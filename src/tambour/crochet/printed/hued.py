@@ -57,6 +57,10 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
         total = None
     while at < len(tokens) and tokens[at].kind == "number" and isinstance(tokens[at].value, int):
         count, at = tokens[at].value, at + 1
+        if at < len(tokens) and tokens[at].word == "each":
+            each, at = _each(p, tokens, at + 1, count)
+            found += each
+            continue
         at += at < len(tokens) and tokens[at].word in _LED
         shade = p.palette.color(c, at)
         if shade is None and total is not None:  # "make 5: 3 large, 2 small"
@@ -74,6 +78,19 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
         return tokens, ()
     number = replace(tokens[make + 1], word=str(many), value=many)
     return [*tokens[: make + 1], number, *tokens[at:]], () if plain else tuple(found)
+
+
+def _each(p: State, tokens: list[Token], at: int, count: int) -> tuple[list[Hue], int]:
+    """As many copies in each of the yarns that are listed at ``at``, "2 each with A, B, and C", and where the list ends."""
+    c, found = Cursor(tokens), list[Hue]()
+    at += at < len(tokens) and tokens[at].word in _LED
+    while at < len(tokens) and (shade := p.palette.color(c, at) or p.palette.letter(c, at)) is not None and shade[1]:
+        said = [t.word.upper() if len(t.word) == 1 else t.word for t in tokens[at : at + shade[1]]]
+        found.append(Hue(count, " ".join(said), shade[0]))
+        at += shade[1]
+        while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value == "and"):
+            at += 1
+    return found, at
 
 
 def by_hue(section: Section, hues: tuple[Hue, ...]) -> list[Section]:

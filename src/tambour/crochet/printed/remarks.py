@@ -21,6 +21,11 @@ _PAGE: Final = re.compile(
 )  # fmt: skip
 _TIP: Final = re.compile(r"\bgo (?:up|down)\b[^.]*\bhook\b", re.IGNORECASE)
 """What to do where a hand works otherwise: "Go down half a hook size for the chain only"."""
+_ASIDE: Final = re.compile(
+    r"\W*following (?:the )?(?:package|packet|manufacturer['’]?s|label) (?:directions|instructions)\W*|[^.]*\bhook or (?:any )?size (?:needed|required) to (?:obtain|get|give) (?:the )?(?:correct )?gauge\W*",
+    re.IGNORECASE,
+)
+"""What a package says, and that another hook may be right."""
 _MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))
 
 
@@ -28,7 +33,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
     """Whether a sentence that no reading understands instructs nothing: a page's foot, what a toy is like, a step's number, what comes
     of the work. Whatever names stitches to work, or rounds to repeat, is none."""
     said = text[tokens[0].start : tokens[-1].end]
-    if _foot(said, tokens) or _TIP.search(said):
+    if _foot(said, tokens) or _TIP.search(said) or _ASIDE.fullmatch(said):
         return True
     if len(tokens) == 1 and tokens[0].kind == "number" and isinstance(tokens[0].value, int) and tokens[0].value <= 30:
         return text[tokens[0].end : tokens[0].end + 1] in (".", ")", "\n", "") and _begins_line(text, tokens[0].start)

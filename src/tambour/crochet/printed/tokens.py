@@ -15,7 +15,7 @@ _HIDDEN: Final = "\u200b\u200c\u200d\u2060\ufeff\u00ad"
 # One alternation without nested repeats, so the time is linear whatever the text.
 _TOKEN: Final = re.compile(
     r"(?P<newline>\n)"
-    r"|(?P<ordinal>(?:\d{0,8}(?:1st|2nd|3rd)|\d{1,9}(?:th|er|e|ème|eme|ère|re|ste|de|te|[ºª°](?!C)))(?![^\W\d_]))"
+    r"|(?P<ordinal>(?:\d{0,8}(?:1st|2nd|3rd)|\d{1,8}\drd|\d{1,9}(?:th|er|e|ème|eme|ère|re|ste|de|te|[ºª°](?!C)))(?![^\W\d_]))"
     rf"|(?P<number>\d(?:\d|[{_HIDDEN}](?=\d))*(?:\.\d+)?)"
     rf"|(?P<word>[^\W\d_](?:[\w'’]|[{_HIDDEN}](?=[^\W\d_]))*)"
     r"|(?P<mark>\*\*+|\*|--+|[^\s\w]|_+)"
