@@ -23,6 +23,10 @@ def plainer(tokens: list[Token]) -> list[Token]:
     tokens = _listed(tokens)
     while at < len(tokens):
         token = tokens[at]
+        if token.kind == "mark" and token.word != ",":
+            made.append(token)
+            at += 1
+            continue
         found = _dropped(tokens, at, made) or _chained(tokens, at) or _heaped(tokens, at)
         if found is not None:
             words, at = found
@@ -57,13 +61,9 @@ def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Toke
             return [], past + (past < len(tokens) and tokens[past].word == ",")
     if token.word == "skipping" and values[2:3] == ["stitch"] and before is not None and before.word == ",":
         return [replace(token, kind="stitch", word="skip", value="skip")], at + 1
-    put = (
-        token.word == ","
-        and any(t.kind == "stitch" for t in made)
-        and at + 2 < len(tokens)
-        and tokens[at + 1].word in _PUT
-    )
-    if put and any(t.value == "eyes" for t in tokens[at + 2 : at + 5]):
+    put = token.word == "," and at + 2 < len(tokens) and tokens[at + 1].word in _PUT
+    put = put and any(t.value == "eyes" for t in tokens[at + 2 : at + 5])
+    if put and any(t.kind == "stitch" for t in made):
         return [replace(token, word=".")], at + 1  # "sc around, insert eyes between rounds 2 and 3"
     return None
 

@@ -124,7 +124,7 @@ def _lower(row: Row, token: Token) -> bool:
 
 def _pairs(rows: list[Row], one: str, other: str) -> int:
     return sum(
-        a.word == one and b.word in (other, other + "s") for row in rows for a, b in zip(row.tokens, row.tokens[1:])
+        [a.word == one and b.word in (other, other + "s") for row in rows for a, b in zip(row.tokens, row.tokens[1:])]
     )
 
 

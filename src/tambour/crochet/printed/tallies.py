@@ -56,7 +56,9 @@ def tallied(rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
 def _again(row: Row, vocabulary: Vocabulary) -> Row:
     """``row`` with what is said to be repeated in brackets: "1 sc, inc; x 6", "sc, inc: 6 times", "6 times: sc, inc"."""
     tokens = row.tokens
-    k = next((k for k in range(2, len(tokens)) if _repeats(tokens, k)), 0)
+    words = {t.word for t in tokens}
+    said = "times" in words or any(word[0] in "x*" for word in words)
+    k = next((k for k in range(2, len(tokens)) if _repeats(tokens, k)), 0) if said else 0
     if not k:
         return row
     begin = _begins(tokens, vocabulary)
@@ -95,11 +97,12 @@ def _repeats(tokens: list[Token], k: int) -> bool:
 def _parted(row: Row) -> Row:
     """``row`` with a full stop behind its count where she goes on: "sc around (18) this is the knee", "(18) cut the yarn"."""
     tokens = row.tokens
-    for k in range(4, len(tokens) - 1):
+    closed = [k for k, t in enumerate(tokens[:-1]) if k > 3 and (t.word == ")" or t.word == "]")]
+    for k in closed:
         after, opens = tokens[k + 1], k - 2 - (tokens[k - 1].word in _UNITS)
         if after.word == "(" and k + 2 < len(tokens):  # "(18) (the knee looks back)"
             after = tokens[k + 2]
-        if tokens[k].word not in (")", "]") or after.kind != "word" or after.word in _BOUND:
+        if after.kind != "word" or after.word in _BOUND:
             continue
         number = tokens[opens + 1]
         framed = tokens[opens].word in ("(", "[") and number.kind == "number" and isinstance(number.value, int)
