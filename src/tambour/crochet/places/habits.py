@@ -6,9 +6,8 @@ import re
 from collections.abc import Callable
 from typing import Final
 
-from tambour.crochet.words.numbers import NUMBERS
+from tambour.crochet.words.numbers import QUANTITY, quantity
 
-N: Final = rf"(?:\d+(?:\.\d+)?|{'|'.join(NUMBERS)})"
 ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 ST: Final = r"(?:stitches|stitch|sts?\.?|sc|dc)"
 _R: Final = rf"(?:the\s+)?{ROUND}\s?\.?\s*(\d+)\b"
@@ -40,37 +39,40 @@ _PLAIN: Final[tuple[tuple[str, str], ...]] = (
     ),
     # stitches between two
     (
-        rf"\b({N})\s+{_FREE}{ST}\s+(?:(?:visible|showing|left|remaining|free|empty|open|wide|clear|in)\s+)*(?:between|in the middle\b(?! of)|inbetween)",
-        r"\1 stitches between",
-    ),
-    (rf"\b({N})\s+(?:visible|free|empty|open|clear|unworked)\s+{ST}(?!\s+(?:between|apart))", r"\1 stitches between"),
-    (rf"\b({N})\s*-?\s*{ST}\s+(?:gap|space)\b", r"\1 stitches between"),
-    (
-        rf"\b(?:interspace|spac(?:e|ing)|gap)\s*(?:of|:|=|is)?\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
+        rf"\b({QUANTITY})\s+{_FREE}{ST}\s+(?:(?:visible|showing|left|remaining|free|empty|open|wide|clear|in)\s+)*(?:between|in the middle\b(?! of)|inbetween)",
         r"\1 stitches between",
     ),
     (
-        rf"\b(?:leav(?:e|ing)|skip(?:ping)?|with)\s+({N})\s+{_FREE}{ST}\s+(?:free|empty|open|unworked|visible|showing)\b",
+        rf"\b({QUANTITY})\s+(?:visible|free|empty|open|clear|unworked)\s+{ST}(?!\s+(?:between|apart))",
+        r"\1 stitches between",
+    ),
+    (rf"\b({QUANTITY})\s*-?\s*{ST}\s+(?:gap|space)\b", r"\1 stitches between"),
+    (
+        rf"\b(?:interspace|spac(?:e|ing)|gap)\s*(?:of|:|=|is)?\s+(?:about\s+|approx\w*\.?\s+)?({QUANTITY})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
         r"\1 stitches between",
     ),
     (
-        rf"\b(?:distance|apart)\s*(?:of|:|=|is|by)?\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
+        rf"\b(?:leav(?:e|ing)|skip(?:ping)?|with)\s+({QUANTITY})\s+{_FREE}{ST}\s+(?:free|empty|open|unworked|visible|showing)\b",
+        r"\1 stitches between",
+    ),
+    (
+        rf"\b(?:distance|apart)\s*(?:of|:|=|is|by)?\s+(?:about\s+|approx\w*\.?\s+)?({QUANTITY})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
         r"\1 stitches apart",
     ),
     (
-        rf"\bspaced\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{ST}\b(?:\s+(?:apart|from each other)\b)?",
+        rf"\bspaced\s+(?:about\s+|approx\w*\.?\s+)?({QUANTITY})\s*{ST}\b(?:\s+(?:apart|from each other)\b)?",
         r"\1 stitches apart",
     ),
-    (rf"\b({N})\s*{ST}\s+(?:away\s+)?from (?:one another|each other|the other)\b", r"\1 stitches apart"),
+    (rf"\b({QUANTITY})\s*{ST}\s+(?:away\s+)?from (?:one another|each other|the other)\b", r"\1 stitches apart"),
 )
 """What is said → how it is read."""
 _TWICE: Final = re.compile(
-    rf"\b({N})\s*{ST}\s+(?:away\s+|out\s+)?(?:(?:to|on|at)\s+)?(?:either|each|both)\s+sides?\s+(?:of|from)\s+(?:the\s+)?(?:very\s+)?"
+    rf"\b({QUANTITY})\s*{ST}\s+(?:away\s+|out\s+)?(?:(?:to|on|at)\s+)?(?:either|each|both)\s+sides?\s+(?:of|from)\s+(?:the\s+)?(?:very\s+)?"
     r"(?:middle|cent(?:er|re)|midline)(?:\s+(?:line|front|st(?:itch)?))?\b"
 )
 """So many to each side of the middle are twice as many apart."""
 _RULES: Final[tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...]] = (
-    (_TWICE, lambda m: f"{2 * (NUMBERS[m[1]] if m[1] in NUMBERS else float(m[1])):g} stitches apart"),
+    (_TWICE, lambda m: f"{2 * quantity(m[1]):g} stitches apart"),
     *((re.compile(said), read) for said, read in _PLAIN),
 )
 

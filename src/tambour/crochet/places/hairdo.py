@@ -14,8 +14,9 @@ from tambour.core.check import Array
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Hair, Spot
-from tambour.crochet.places.said import LONG, N, length, number
+from tambour.crochet.places.said import LONG, length
 from tambour.crochet.places.stand import Host
+from tambour.crochet.words.numbers import QUANTITY, quantity
 
 KNOTTED: Final = re.compile(
     r"\b(?:attach|knot|latch|hook|loop|pull|draw|thread|sew|stitch|lay|work|add|tie|glue)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around|of)\b)[^.]){0,60}\bhair\b(?!\s*(?:bow|tie|band|clip|ribbon|line\b))"
@@ -40,7 +41,9 @@ _ELSE: Final = re.compile(
     r"\b(?:whiskers?|tail|mane|scarf|tassels?|beard|mustache|moustache|blanket|poncho|ears?|pompo?ms?|body|nose|mouth|forelock)\b"
 )
 """What strands are knotted to as well, and that is no head."""
-_MANY: Final = re.compile(rf"\b({N})\s+(?:\w+\s+){{0,2}}?(?:strands?|pieces?|lengths?)\b|\b({N})\s+times\b")
+_MANY: Final = re.compile(
+    rf"\b({QUANTITY})\s+(?:\w+\s+){{0,2}}?(?:strands?|pieces?|lengths?)\b|\b({QUANTITY})\s+times\b"
+)
 _CUT: Final = re.compile(r"\b(\d+(?:\.\d+)?)\s*-?\s*(cms?|mms?|ins?|inch(?:es)?|\"|centimet\w+)(?=\W|$)")
 _ALL: Final = re.compile(
     r"\ball over\b|\b(?:every|each|all) (?:of the )?(?:st\b|stitch|sts\b)|\bspiral|\bhairline\b|\brug\b|\bwhole (?:head|crown)\b|\b(?:rows?|rounds?) of (?:hair|strands)\b|\bcrown\b"
@@ -145,7 +148,7 @@ def _hangs(text: str) -> float:
 
 def _many(text: str) -> int | None:
     found = _MANY.search(text)
-    return None if found is None else min(int(number(found[1] or found[2]) or 0), 160)
+    return None if found is None else min(int(quantity(found[1] or found[2]) or 0), 160)
 
 
 def _arc(up: float, high: float) -> list[Array]:

@@ -27,12 +27,13 @@ from tambour.crochet.places.assembling import (
 from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
 from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
-from tambour.crochet.places.said import VERB, N, Where, clauses, number, where
+from tambour.crochet.places.said import VERB, Where, clauses, where
+from tambour.crochet.words.numbers import QUANTITY, quantity
 
 Copy = tuple[Made, int]
 _NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along)\b")
-_MORE: Final = re.compile(rf"(?:\band|,)\s+(?:the\s+|\w+ing\s+|{N}\s+)?$")
-_COUNTED: Final = re.compile(rf"\b({N})\s+(?:(?!of\b)[a-z]+\s+)?$")
+_MORE: Final = re.compile(rf"(?:\band|,)\s+(?:the\s+|\w+ing\s+|{QUANTITY}\s+)?$")
+_COUNTED: Final = re.compile(rf"\b({QUANTITY})\s+(?:(?!of\b)[a-z]+\s+)?$")
 """How many of a part are put there, before its name: "two flowers to the side"."""
 _ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
 """Where "on" may belong to the verb: "sew on the snout"."""
@@ -384,7 +385,7 @@ class Heard:
     def _counted(self, mention: Mention, low: str) -> tuple[Copy, ...]:
         """The copies of a part that are meant: "one flower" is the next that has no place, "two flowers" are the two after it."""
         part, said = mention.copies[0][0], _COUNTED.search(low[: mention.start])
-        many = int(number(said[1])) if said else 0
+        many = int(quantity(said[1])) if said else 0
         if (
             not 0 < many < part.copies
             or part.copies < 3

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass, field
 from typing import Final
 
-from tambour.crochet.places.habits import plainly
-from tambour.crochet.words.numbers import NUMBERS
+from tambour.crochet.places.habits import ROUND, plainly
+from tambour.crochet.words.numbers import QUANTITY, quantity
 
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
@@ -16,20 +16,18 @@ VERB: Final = re.compile(
 )
 """Words that put something somewhere."""
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
-N: Final = rf"(?:\d+(?:\.\d+)?|{'|'.join(NUMBERS)})"
-_ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 _ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
 _NO_END: Final = (
     "eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|beak|tail|wings?|brim|last|first|sts?|stitch|rounds?|rnds?|rows?"
 )
 _LENGTH: Final = r"(\d+(?:[.,]\d+)?(?:\s*[½¼¾⅓⅛⅜⅝⅞]|[- ]\d/\d)?|[½¼¾⅓⅛⅜⅝⅞])\s*-?(mm|cm|inch(?:es)?|in\b|\"|”|″|'')"
 _ROUNDS: Final = re.compile(
-    rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b{_ROUND}\s?\.?\s*(\d+)(?:st|nd|rd|th)?"
-    rf"(?:\s*(-|–|—|to|and|&|through|thru|/)\s*(?:the\s+)?(?:{_ROUND}\s?\.?\s*)?(\d+))?"
+    rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b{ROUND}\s?\.?\s*(\d+)(?:st|nd|rd|th)?"
+    rf"(?:\s*(-|–|—|to|and|&|through|thru|/)\s*(?:the\s+)?(?:{ROUND}\s?\.?\s*)?(\d+))?"
 )
 _ORDINAL: Final = re.compile(
     rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b(\d+)(?:st|nd|rd|th)"
-    rf"(?:\s*(?:{_ROUND})?\s*(-|–|to|and|&|through)\s*(?:the\s+)?(\d+)(?:st|nd|rd|th))?\s+{_ROUND}\b"
+    rf"(?:\s*(?:{ROUND})?\s*(-|–|to|and|&|through)\s*(?:the\s+)?(\d+)(?:st|nd|rd|th))?\s+{ROUND}\b"
 )
 _NUMBER_FIRST: Final = re.compile(
     r"\b(between|from|on|at|in|of|along) (?:the )?(?:level of (?:the )?)?(\d+)(?:\s*(-|–|to|and|till|until)\s*(\d+))? (?:row|round|rnd)\b"
@@ -37,17 +35,17 @@ _NUMBER_FIRST: Final = re.compile(
 )
 """Rounds whose number stands before them, as translators have it: "between 10 and 11 row", "at the level of 13 row"."""
 _APART: Final = re.compile(
-    rf"({N})(?:\s*(?:-|–|to|or)\s*({N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
+    rf"({QUANTITY})(?:\s*(?:-|–|to|or)\s*({QUANTITY}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
     rf"visible between|left between)"
 )
-_SPACE: Final = re.compile(rf"\b(?:interspace|space|gap)\s+of\s+(?:about\s+|approx\w*\.?\s+)?({N})\s*{_ST}\b")
+_SPACE: Final = re.compile(rf"\b(?:interspace|space|gap)\s+of\s+(?:about\s+|approx\w*\.?\s+)?({QUANTITY})\s*{_ST}\b")
 LONG: Final = re.compile(rf"{_LENGTH}[- ]*long\b")
 _APART_MM: Final = re.compile(rf"{_LENGTH}(?:\s*[\[(][^\])]*[\])])?\s+(?:apart|between|from each other)")
 _WIDE: Final = re.compile(
-    rf"({N})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({N})\s*{_ST}"
+    rf"({QUANTITY})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({QUANTITY})\s*{_ST}"
 )
 _ASIDE: Final = re.compile(
-    rf"({N})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
+    rf"({QUANTITY})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
 )
 _TWO: Final = re.compile(
     r"\b(?:between|in|into|at|on|and|&|,)\s+(?:the\s+)?(?:st|sts|stitch|stitches)\s*(?:no\.?|number|#)?\s*(\d+)\b(?:\s*(?:and|&|/|-)\s*(\d+)\b(?!\s*(?:st|(?:and|&)\s*\d)))?"
@@ -56,13 +54,13 @@ _TWO: Final = re.compile(
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
 _BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door)"
 _AWAY: Final = re.compile(
-    rf"(?:({N})\s+(?:{_ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
+    rf"(?:({QUANTITY})\s+(?:{ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
     rf"(below|beneath|under|underneath|down from|above|over|up from|beside|next to|in between|between|in line with|"
     rf"level with|at the level of|on either side of|on both sides of|at (?:the )?sides? of|in front of|behind|back from|"
     rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
 )
 _FROM_END: Final = re.compile(
-    rf"(?:({N})\s+{_ROUND}|{_LENGTH}|\b(?:just|right|directly|immediately|straight))\s+(?:(?:down|up|away|in|counted|measured)\s+)*"
+    rf"(?:({QUANTITY})\s+{ROUND}|{_LENGTH}|\b(?:just|right|directly|immediately|straight))\s+(?:(?:down|up|away|in|counted|measured)\s+)*"
     rf"(?:(?:below|beneath|under|underneath|from)\s+(?:the\s+)?(?:very\s+)?(top|crown|neck|head|magic ring|beginning)"
     rf"|(?:above|from)\s+(?:the\s+)?(?:very\s+)?(bottom|base|lower edge|underside))\b"
     rf"(?! of (?:the )?(?:{_NO_END})\b)(?:\s+(?:edge|seam|opening))?(?:\s+of\s+(?:the\s+|its\s+)?(?:head|body|neck))?"
@@ -159,22 +157,22 @@ def where(text: str) -> Where:
         rounds = (first, last, found[1] == "between" and found[4] is not None)
     end = None
     if rounds is None and (far := _FROM_END.search(text)) is not None:
-        end = (far[4] or far[5], number(far[1]) if far[1] else None, length(far[2], far[3]) if far[2] else None)
+        end = (far[4] or far[5], quantity(far[1]) if far[1] else None, length(far[2], far[3]) if far[2] else None)
         text = text[: far.start()] + text[far.end() :]
     two = _TWO.findall(text)
     pair = (_mean(two[0]), _mean(two[1])) if len(two) == 2 else None
     apart = _APART.search(text)
     between = apart is not None and "between" in apart[0]
-    steps = None if apart is None else max(number(apart[1]), number(apart[2] or apart[1])) + between
+    steps = None if apart is None else max(quantity(apart[1]), quantity(apart[2] or apart[1])) + between
     if steps is None and (space := _SPACE.search(text)) is not None:
-        steps = number(space[1]) + 1
+        steps = quantity(space[1]) + 1
     mm = _APART_MM.search(text)
     aside = _ASIDE.search(text)
     text = _ASIDE.sub("", text)
     wide, stitch, angle = _WIDE.search(text), _STITCH.search(text), _ANGLE.search(text)
     own = _EDGE_AT.sub("", text)
     beside = tuple(
-        (m[2], m[3].rstrip("s") if m[3] not in ("eyes",) else "eye", number(m[1]) if m[1] else None)
+        (m[2], m[3].rstrip("s") if m[3] not in ("eyes",) else "eye", quantity(m[1]) if m[1] else None)
         for m in _AWAY.finditer(text)
     )
     return Where(
@@ -182,10 +180,10 @@ def where(text: str) -> Where:
         float(stitch[1])
         if (stitch and found is None) or (stitch and not re.search(r"(?:st|stitch)\s+\d+\s*(?:rnd|round)", text))
         else None,
-        None if aside is None else number(aside[1]) * (1.0 if aside[2] == "left" else -1.0),
+        None if aside is None else quantity(aside[1]) * (1.0 if aside[2] == "left" else -1.0),
         steps,
         length(mm[1], mm[2]) if mm and apart is None else None,
-        number(wide[1] or wide[2]) if wide else None,
+        quantity(wide[1] or wide[2]) if wide else None,
         frozenset(name for name, pattern in _COMPILED.items() if pattern.search(own)),
         beside,
         None if angle is None else float(angle[1]) if angle[1] else 30.0,
@@ -199,11 +197,6 @@ def where(text: str) -> Where:
 def _mean(numbers: tuple[str, str]) -> float:
     """A stitch, or the gap between two."""
     return float(numbers[0]) if not numbers[1] else 0.5 * (float(numbers[0]) + float(numbers[1]))
-
-
-def number(word: str) -> float:
-    """A number in figures or words."""
-    return float(NUMBERS[word]) if word in NUMBERS else float(word)
 
 
 def length(words: str, unit: str) -> float:

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from typing import Final
 
 from tambour.crochet.printed.tokens import Token
+from tambour.crochet.words.numbers import NUMBERS
 from tambour.crochet.words.table import Heard
 
 _MARKS: Final = frozenset(
     (",", ".", ":", "x", "*", "**", "!", "-", "/", "&", "+", "(", ")", "[", "]", "=", "{", "}", "<", ">", "|", "_")
 )
 _AND: Final = frozenset("and und et y e en".split())
-_COUNTED: Final = "one two three four five six seven eight nine ten eleven twelve".split()
 _MOST: Final = 60
 _LONGEST: Final = 12  # words
 
@@ -23,7 +23,7 @@ def number_of(token: Token, heard: Heard) -> int:
         return token.value
     if token.word in heard.numbers:
         return heard.numbers.index(token.word) + 1
-    return next((n for n, english in enumerate(_COUNTED, 1) if token.word in heard.gloss.get(english, ())), 0)
+    return next((n for english, n in NUMBERS.items() if token.word in heard.gloss.get(english, ())), 0)
 
 
 def copies_of(tokens: Sequence[Token], heard: Heard, name: frozenset[str] = frozenset()) -> int:

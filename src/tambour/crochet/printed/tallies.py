@@ -57,7 +57,7 @@ def _again(row: Row, vocabulary: Vocabulary) -> Row:
     """``row`` with what is said to be repeated in brackets: "1 sc, inc; x 6", "sc, inc: 6 times", "6 times: sc, inc"."""
     tokens = row.tokens
     words = {t.word for t in tokens}
-    said = "times" in words or any(word[0] in "x*" for word in words)
+    said = "times" in words or any(word[:1] in ("x", "*") for word in words)
     k = next((k for k in range(2, len(tokens)) if _repeats(tokens, k)), 0) if said else 0
     if not k:
         return row

@@ -13,7 +13,15 @@ TENS: Final = {w: 10 * n for n, w in enumerate("twenty thirty forty fifty sixty 
 NUMBER: Final = rf"(?:\d+|{'|'.join(NUMBERS)})"
 """An expression for a whole number, in figures or as one of ``NUMBERS``."""
 
+QUANTITY: Final = rf"(?:\d+(?:\.\d+)?|{'|'.join(NUMBERS)})"
+"""An expression for any number, in figures or as one of ``NUMBERS``."""
+
 
 def number(word: str) -> int:
     """What ``word``, as ``NUMBER`` finds it, stands for."""
     return NUMBERS[word] if word in NUMBERS else int(word)
+
+
+def quantity(word: str) -> float:
+    """What ``word``, as ``QUANTITY`` finds it, stands for."""
+    return float(NUMBERS.get(word) or word)
