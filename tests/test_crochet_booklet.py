@@ -10,13 +10,14 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
+from tambour.crochet.maker.materials import materials
 from tambour.crochet.page.angle import VIEW
 from tambour.crochet.page.assembly import _held
 from tambour.crochet.page.begin import _hows, _merged, _ways
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.charted import helps
 from tambour.crochet.page.diagram import symbols
-from tambour.crochet.page.parts import _explained, with_hers
+from tambour.crochet.page.parts import _explained, _ticks, with_hers
 from tambour.crochet.page.pictures import _broad, steps
 from tambour.crochet.page.plain import spelled
 from tambour.crochet.params import CrochetParams
@@ -364,3 +365,35 @@ def test_a_sentence_of_hers_that_tells_the_size_too_is_kept() -> None:
     line = "Barnaby is a long-eared bunny, about 31 cm tall with his ears. His dungarees are worked as part of him, so they never get lost."
     made = hers(read(Text(f"Bunny\n\n{line}\n{rounds}", "bunny.txt")), "us")
     assert made is not None and made.intro == [line]
+
+
+@pytest.mark.parametrize(
+    ("toy", "named", "said"),
+    [
+        ("cat", "ears", "counted on round 5"),  # a cone has another number on every round
+        ("cat", "nose", "the threads lying level"),
+        ("whale", "flukes", "At round 2"),
+        ("whale", "smile", "in backstitch"),
+        ("mushroom-house", "windows", "stitches from the middle of the front"),
+        ("mushroom-house", "spots", "round 5, stitch "),
+    ],
+)
+def test_what_a_buyer_would_guess_stands_below_the_sentence(toy: str, named: str, said: str) -> None:
+    of = shop(toy)
+    mine = [r for r in of.piece.built.pattern.finish if f" {named}" in of.words_of(r)]
+    assert mine and said in " ".join(of.taken(mine)), of.taken(mine)
+
+
+def test_a_box_is_ticked_for_every_round() -> None:
+    assert _ticks(1, 50.0, 10.0) == ([], 0)
+    beside, _ = _ticks(6, 50.0, 10.0)
+    assert len(beside) == 6 and {line for line, _ in beside} == {0} and min(at for _, at in beside) >= 10.0
+    below, lines = _ticks(30, 40.0, 30.0)
+    assert len(set(below)) == 30 and lines == max(line for line, _ in below) and min(line for line, _ in below) == 1
+    assert max(at for _, at in below) + 2.5 <= 40.0
+
+
+def test_yarn_for_sewing_is_of_the_pieces_that_are_sewn() -> None:
+    house = shop("mushroom-house").piece
+    white = materials(house)["yarn"][-1]["metres"]
+    assert white > 1.1 * (5 * 0.3 + 5 * 0.3)  # five spots, and a tail at each

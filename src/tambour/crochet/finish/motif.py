@@ -16,13 +16,15 @@ from tambour.crochet.finish.felt import drape
 from tambour.crochet.finish.ground import Ground, unit
 from tambour.crochet.finish.placing import Frames
 
-_SATIN: Final = frozenset(("eyes", "nose", "cheeks"))
+SATIN: Final = frozenset(("eyes", "nose", "cheeks"))
 """Motifs that are filled, thread beside thread."""
+UPRIGHT: Final = frozenset(("eyes",))
+"""Those of them whose threads are upright; the others' lie level."""
 _FORM: Final = {"eyes": 1.25, "nose": 0.64, "cheeks": 0.6}
 """How high they are for their width."""
 _ODD: Final = 0.6
 """The share of that by which they may differ, either way."""
-_CURVED: Final = {"smile": 0.24, "mouth": 0.1, "closed eyes": 0.3}
+CURVED: Final = {"smile": 0.24, "mouth": 0.1, "closed eyes": 0.3}
 """Motifs that are arcs, and how deep they hang for their width at the least."""
 _BESIDE: Final = 0.72
 """How far apart threads of a satin stitch lie, in widths."""
@@ -46,7 +48,7 @@ def threads(ground: Ground, at: Frames, name: str, width: float) -> list[Array] 
     along = np.cross(up, normal[0])
     off = at.points - middle[0]
     flat = np.column_stack([off @ along, off @ up])
-    lines = _satin(flat, name, width) if name in _SATIN else [_line(flat, name)]
+    lines = _satin(flat, name, width) if name in SATIN else [_line(flat, name)]
     lines = [_dense(line, 0.35 * width) for line in lines if len(line) > 1]
     if not lines:
         return None
@@ -57,7 +59,7 @@ def threads(ground: Ground, at: Frames, name: str, width: float) -> list[Array] 
     places, normals = ground.walk(middle[0], ways, far[:, None])
     places, normals = places[:, 0], normals[:, 0]
     high = drape(every, ground.top(places, normals)) + 0.4 * width
-    if name in _SATIN:
+    if name in SATIN:
         size = np.maximum(np.abs(every).max(0), 1e-9)
         high = high + _PADDED * width * np.maximum(0.0, 1.0 - ((every / size) ** 2).sum(1))
     made = []
@@ -77,7 +79,7 @@ def _satin(flat: Array, name: str, width: float) -> list[Array]:
     form = half[1] / half[0] / _FORM[name]
     half = half * ((form / _ODD, 1.0) if form < _ODD else (1.0, min(1.0, 1.0 / (_ODD * form))))
     middle = 0.5 * (high + low)
-    across = 0 if name == "eyes" else 1  # threads of eyes are upright, of noses and cheeks level
+    across = 0 if name in UPRIGHT else 1
     count = max(3, 2 * round(half[across] / (_BESIDE * width)) // 1 + 1)
     made = []
     for s in np.linspace(-1.0, 1.0, count + 2)[1:-1]:
@@ -93,10 +95,10 @@ def _satin(flat: Array, name: str, width: float) -> list[Array]:
 
 def _line(flat: Array, name: str) -> Array:
     """A line through its places: an arc that hangs level, a V, or straight."""
-    if name in _CURVED:
+    if name in CURVED:
         low, high = flat.min(0), flat.max(0)
         wide = high[0] - low[0]
-        deep = max(min(high[1] - low[1], 0.5 * wide), _CURVED[name] * wide)
+        deep = max(min(high[1] - low[1], 0.5 * wide), CURVED[name] * wide)
         t = np.linspace(-1.0, 1.0, 25)
         return np.column_stack(
             [0.5 * (low[0] + high[0]) + 0.5 * wide * t, 0.5 * (low[1] + high[1]) + deep * (t * t - 0.5)]

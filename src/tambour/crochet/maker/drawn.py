@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import Embroidery
 
@@ -16,6 +18,13 @@ if TYPE_CHECKING:
 
 _FEW: Final = 4
 """A part of so many rounds is small: a place on it is seen."""
+_FILLED: Final = re.compile(r"satin|satén|plattstich|passé", re.IGNORECASE)
+_STITCH: Final = re.compile(
+    r"back ?-?stitch|stem st|chain st|split st|straight st|long st|running st|rückstich|stielstich|kettenstich"
+    r"|pespunte|punto atrás|cadeneta|point (?:arrière|de tige)|stiksteek|stiel?steek",
+    re.IGNORECASE,
+)
+"""How she names the stitch of a line."""
 _FACES: Final = (
     "smile",
     "mouth",
@@ -66,8 +75,17 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
         apart = [float(np.mean([abs(taken.off(s)[0]) for s in r.spots])) for r in alike]
         where = taken.from_middle(first.spots[0].part, [float(np.mean(apart))], taken.off(first.spots[0])[1])
         points = _each([first], points)[0]
-        return [own["each"].format(what=_size(own, points)), over, where]
-    return [_size(own, points), over] if len(alike) == 1 else [over]
+        return [own["each"].format(what=_size(own, points)), over, where, _stitched(taken, first)]
+    return [_size(own, points), over, _stitched(taken, first)] if len(alike) == 1 else [over]
+
+
+def _stitched(taken: Taken, record: Embroidery) -> str:
+    """In which stitch a motif is embroidered, where she leaves it open; of a filled one how its threads lie."""
+    own, words = taken.own, taken.words(record).lower()
+    if record.motif in SATIN:
+        lie = own["threads upright" if record.motif in UPRIGHT else "threads level"]
+        return lie if _FILLED.search(words) else f"{own['in satin']}, {lie}"
+    return own["in backstitch"] if record.motif in CURVED and _STITCH.search(words) is None else ""
 
 
 def _size(own: Mapping[str, str], points: Array) -> str:

@@ -38,6 +38,16 @@ def lengths(piece: Plush) -> dict[tuple[int, ...], float]:
     return made
 
 
+def _ends(piece: Plush) -> dict[tuple[int, ...], float]:
+    """Colour → metres left at the ends of its pieces, to sew them on; to the largest all others are sewn."""
+    graph = piece.built.graph
+    made: dict[tuple[int, ...], float] = {}
+    for part in sorted((p for p in graph.parts if p.end > p.start), key=lambda p: p.start - p.end)[1:]:
+        color = tuple(graph.color[part.end - 1].tolist())
+        made[color] = made.get(color, 0.0) + TAIL
+    return made
+
+
 def _threads(piece: Plush) -> list[tuple[tuple[int, ...], float]]:
     """The colour and the metres of every thread that is pulled through the stuffing: there, back and knotted."""
     from tambour.crochet.graph.spots import Spots
@@ -69,8 +79,7 @@ def materials(piece: Plush) -> dict[str, Any]:
     metres_100_g, skein = (ball.metres_100_g, ball.grams) if ball else (kind.metres, kind.skein)
     made = face(piece.built, piece.positions)
     metres = lengths(piece)
-    ends = TAIL * max(0, len(piece.built.graph.parts) - 1)
-    whole = sum(metres.values())
+    ends = _ends(piece)
     for tuft in made["hair"]:
         of_hair = unhexed(tuft["color"])
         metres[of_hair] = metres.get(of_hair, 0.0) + tuft["metres"]
@@ -78,7 +87,7 @@ def materials(piece: Plush) -> dict[str, Any]:
         metres[shade] = metres.get(shade, 0.0) + length
     yarn = []
     for color, worked in metres.items():
-        bought = (worked + (ends * worked / whole if whole else 0.0)) * SPARE
+        bought = (worked + ends.get(color, 0.0)) * SPARE
         grams = bought / metres_100_g * 100.0
         yarn.append(
             {

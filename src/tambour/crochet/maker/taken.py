@@ -132,8 +132,7 @@ class Taken:
             each = len(rim) // 2 // len(alike)
             return [*([own["took halves"].format(n=each)] if len(alike) == 2 else []), *self._points(alike)]
         if len(alike) > 2:
-            at = sorted(round(r.spot.round) for r in alike)
-            return [own["took middles"].format(rounds=", ".join(map(str, at)))]
+            return [own["took middles"].format(places=self._listed(alike))]
         end = end_of(self.built, self.spots, first)
         seams = [s for r in alike if len(s := self._seam(r))]
         if len(seams) < len(alike):
@@ -196,6 +195,20 @@ class Taken:
                     names[self.built.pattern.parts[section].name] = None
         return [self.own["took rests"].format(part=name) for name in names]
 
+    def _listed(self, alike: list[Placed]) -> str:
+        """Where the middles of many copies are, in the order in which one comes to them on a round."""
+        around = [(self._share(r.spot), r.spot) for r in alike]
+        said = []
+        for _, spot in sorted(around, key=lambda a: (a[0], a[1].round)):
+            a, b = round(spot.round), 0 if spot.stitch is None else max(1, round(spot.stitch))
+            said.append(self.own["took knot"].format(a=a, b=b) if b else self.own["took round"].format(n=a))
+        return "; ".join(said)
+
+    def _share(self, spot: Spot) -> float:
+        """How much of its round lies before a spot."""
+        count = self._count(self.spots.parts[spot.part], int(spot.round))
+        return (spot.stitch or 0.0) / count if count else 0.0
+
     def _mean_off(self, alike: list[Placed]) -> float:
         return float(np.mean([abs(self.off(r.spot)[0]) for r in alike]))
 
@@ -230,7 +243,7 @@ class Taken:
         """
         count = self._count(self.spots.parts[first.spot.part], level)
         if count <= _NARROW and len(self.spots.place(first.spot).nodes) and copies > 1:
-            return []  # the tip of a tail: nobody counts there
+            return [self.own["took round"].format(n=named or level)]  # the tip of a tail: nobody counts there
         lone = any(s[:, 1].min() * s[:, 1].max() < 0.0 and abs(s[:, 1]).max() < count / 4 for s in seams)
         if lone or not count:
             return [
@@ -261,18 +274,21 @@ class Taken:
                 at = own["took between"].format(a=int(level), b=int(level) + 1)
             return [own["took lengthwise"].format(where=at), where]
         said = [own["took run"].format(a=low, b=high), where]
+        if len(alike) == 2 and low < high and any(c.isdigit() for c in where):
+            said.append(own["took counted"].format(r=round(first.spot.round)))
         if stitches > high - low + 1:
             said.append(own["took eased"].format(m=stitches, n=high - low + 1))
-        apart = _APART.search(self._words(first).lower())
+        apart = _APART.search(self.words(first).lower())
         if len(alike) == 2 and apart is not None and abs(int(apart[1]) - 2 * low) <= 1.5:
             said.append(own["took crown"].format(n=apart[1]))
         return said
 
     def rounds(self, record: Placed | Embroidery) -> tuple[int, ...]:
         """The rounds that her sentence of a record names."""
-        return rounds_named(self._words(record), self.built.pattern.terms)
+        return rounds_named(self.words(record), self.built.pattern.terms)
 
-    def _words(self, record: Placed | Embroidery) -> str:
+    def words(self, record: Placed | Embroidery) -> str:
+        """Her sentence of a record."""
         return self.built.pattern.text.text[record.span.start : record.span.end]
 
     def _seam(self, record: Placed) -> Array:
@@ -355,15 +371,20 @@ class Taken:
         if off >= count / 2 - 1.0:
             return self.own["took under" if lies else "behind"]
         if abs(off - count / 4) <= _SIDE * count:
-            return "" if self.own["at side"].split()[-1] in self._words(record).lower() else self.own["at side"]
+            side = "" if self.own["at side"].split()[-1] in self.words(record).lower() else self.own["at side"]
+            said = self.from_middle(record.spot.part, [off], count)
+            return ", ".join(w for w in (side, said if plain else self.own["its middle"].format(what=said)) if w)
         said = self.from_middle(record.spot.part, [off], count)
         return said if plain else self.own["its middle"].format(what=said)
 
     def from_middle(self, part: str, offs: Sequence[float], count: int) -> str:
         """So many stitches, or from so many to so many, from the nearer middle: of front or back, of top or underside."""
         far = float(np.mean(offs)) > count / 4 + 0.5
-        found = sorted(round(count / 2 - o if far else o) for o in offs)
+        exact = sorted(count / 2 - o if far else o for o in offs)
+        found = [round(o) for o in exact]
         n = str(found[0]) if found[0] == found[-1] else f"{found[0]}–{found[-1]}"
+        if len(exact) == 1 and abs(exact[0] % 1.0 - 0.5) < 0.1:
+            n = f"{int(exact[0])}½"
         return self.own[
             ("off under" if far else "off top") if self._lies(part) else ("off back" if far else "off front")
         ].format(n=n)

@@ -9,7 +9,6 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import SEWN
-from tambour.core.picture import Picture
 from tambour.crochet.finish.sewing import end_of, shut
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
@@ -17,9 +16,9 @@ from tambour.crochet.maker.size import skin
 from tambour.crochet.page.angle import angle, called
 from tambour.crochet.page.begin import paragraph, photo
 from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
-from tambour.crochet.page.flow import Atom, Chunk
+from tambour.crochet.page.flow import Atom, Chunk, plan
 from tambour.crochet.page.pictures import Step, from_side, lies, of_step, steps
-from tambour.crochet.page.type import BODY, LEAD, SMALL, SOFT
+from tambour.crochet.page.type import BODY, HEAD, LEAD, SMALL, SOFT
 from tambour.render.page import Page
 
 DOTS = 7.6
@@ -35,6 +34,12 @@ _LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
 _SMALL = 0.6
 """What a step is about is shown from near where it is so small beside all that is there."""
+_MORE = 1.35
+"""So much more than that is in the picture: where it is, is seen."""
+_SHARES = (0.85, 0.74, 0.62, 0.5)
+"""How high a step's picture is for its width: as high as costs no page."""
+_SIDES = 55.0
+"""Room for the finished toy from its sides, mm."""
 _GAP = 4.0
 """Between pictures, mm."""
 
@@ -49,22 +54,8 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     found = [replace(step, parts=tuple(k for k in step.parts if k not in beside)) for step in found]
     if not found:
         return []
-    high = width * (0.62 if len(found) <= 4 else 0.5)
-    sentences = _sentences(book, found)
-    chunks = []
-    for k, (step, said) in enumerate(zip(found, sentences)):
-        view = angle(piece, step.parts, step.fresh, " ".join(said))
-        near = _near(book, step) if step.fresh else frame
-        picture = of_step(book.album, step, near, view, round(width * DOTS), round(high * DOTS))
-        names = _names(book, step)
-        if step.fresh and (where := called(view)):
-            names += f" ({book.own[where]})"
-        head = f"{book.own['step'].format(n=k + 1)}: {names}"
-
-        def draw(sheet: Page, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
-            sheet.image(picture, x, y, width, high, photo=True)
-            sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
-
+    told = []
+    for step, said in zip(found, _sentences(book, found)):
         # Long lists of points are set smaller.
         size = BODY if max(map(len, said), default=0) < 160 else SMALL
         lines: list[Atom] = []
@@ -72,8 +63,45 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
             lines += paragraph(sentence, width, size, None, 0.9 if lines else 0.0)
             for note in notes:
                 lines += paragraph(f"› {note}", width, size, None, 0.9)
-        chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
-    return _with_hers(book, found, chunks)
+        told.append((angle(piece, step.parts, step.fresh, " ".join(said)), lines))
+    tried = []
+    for share in _SHARES:
+        chunks = [
+            _step(book, k, step, view, lines, frame, width * share)
+            for k, (step, (view, lines)) in enumerate(zip(found, told), 1)
+        ]
+        tried.append(_with_hers(book, found, chunks))
+    return min(tried, key=lambda chunks: _pages(book, chunks))
+
+
+def _step(
+    book: Book, k: int, step: Step, view: tuple[float, float], lines: list[Atom], frame: Array, high: float
+) -> Chunk:
+    """The ``k``-th step, its picture ``high`` mm high, drawn when its place is known."""
+    width, names = book.frame.width, _names(book, step)
+    if step.fresh and (where := called(view)):
+        names += f" ({book.own[where]})"
+    head = f"{book.own['step'].format(n=k)}: {names}"
+
+    def draw(sheet: Page, x: float, y: float) -> None:
+        near = _near(book, step) if step.fresh else frame
+        picture = of_step(book.album, step, near, view, round(width * DOTS), round(high * DOTS))
+        sheet.image(picture, x, y, width, high, photo=True)
+        sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
+
+    return Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head)
+
+
+def _pages(book: Book, chunks: list[Chunk]) -> int:
+    """How many columns the steps begin, and one more where the finished toy finds no room below them."""
+    frame = book.frame
+    under = book.below[1] if book.pages else frame.top
+    first, rest = plan(chunks, frame, under + HEAD * 1.2 + 3.0)
+    last = rest[-2:] if len(rest) % 2 == 0 else rest[-1:]
+    top = frame.top if rest else under
+    deep = max((sum(c.height + c.above for c in column) for column in last or first), default=0.0)
+    pages = -(-len(rest) // len(frame.lefts))
+    return 2 * pages + (top + deep + _SIDES > frame.bottom)
 
 
 def _near(book: Book, step: Step) -> Array:
@@ -83,7 +111,10 @@ def _near(book: Book, step: Step) -> Array:
     beside = pairs[np.isin(pairs, step.fresh).any(1)].ravel()
     about = sorted({*step.fresh, *(int(k) for k in beside if k in step.parts)})
     there, near = (skin(book.piece, np.flatnonzero(np.isin(graph.part, parts))) for parts in (step.parts, about))
-    return near if np.ptp(near, axis=0).max() <= _SMALL * np.ptp(there, axis=0).max() else there
+    if np.ptp(near, axis=0).max() > _SMALL * np.ptp(there, axis=0).max():
+        return there
+    middle = 0.5 * (near.min(0) + near.max(0))
+    return np.asarray(middle + _MORE * (near - middle))
 
 
 def _with_hers(book: Book, found: list[Step], chunks: list[Chunk]) -> list[Chunk]:

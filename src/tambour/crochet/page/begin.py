@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.picture import Picture
 from tambour.core.rgb import RGB, unhexed
-from tambour.crochet.language.finishes import Placed
+from tambour.crochet.language.finishes import Embroidery, Finish, Placed
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import OWN, Book, cropped, short, size_lines, weight_name, yarn_name
@@ -52,6 +52,9 @@ _JOINS: Final = re.compile(
     r"(?<!not )(?<!n't )(?<!n’t )\bjoin\b(?=\s*(?:[.,;)(]|$)|\s+with (?:a )?(?:sl|slip) )", re.IGNORECASE
 )
 """How a line says that its round is joined, and no part to another."""
+_BETWEEN: Final = re.compile(r"\b(?:between|betw?\.|zwischen|entre|tussen)", re.IGNORECASE)
+_NAME: Final = 3
+"""What says no more words than this of a thing names it and explains nothing."""
 LEFTOVER = 5.0
 """Grams of yarn for which nobody buys a skein."""
 
@@ -132,7 +135,8 @@ def begin(book: Book) -> None:
     if said:
         name = word("abbreviations")
         chunks += together(heading(book, name, width, book.said.named), said, name)
-    special = [pair(said, meaning, width, 0.3) for said, meaning in (*book.said.special, *_hows(book))]
+    explained = (*_ring(book), *book.said.special, *_hows(book))
+    special = [pair(said, meaning, width, 0.3) for said, meaning in explained]
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
     notes = paragraph(own["notes text"], width)
@@ -144,6 +148,8 @@ def begin(book: Book) -> None:
         said_ = [own["below text" if lying else "front text"]]
         if book.hers is None or book.code not in ("us", "uk") or "apart" in pattern.text.text.lower():
             said_.append(own["apart below" if lying else "apart text"])
+        if book.hers is not None and any(_ranges(book, record) for record in pattern.finish):
+            said_.append(own["between text"])
         notes += paragraph(" ".join(said_), width, space=1.4)
     if any(isinstance(record, Placed) for record in pattern.finish):
         notes += paragraph(own["tail text"], width, space=1.4)
@@ -152,6 +158,32 @@ def begin(book: Book) -> None:
             notes += paragraph(own["ours text"], width, space=1.4)
     chunks += together(heading(book, own["notes"], width), notes, own["notes"])
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
+
+
+def _ring(book: Book) -> list[tuple[str, str]]:
+    """What a magic ring is, where a part begins with one and she does not explain it."""
+    if not any(done.what == "mr" for done in book.piece.built.log):
+        return []
+    word = book.said.terms.word("ring")
+    if book.hers is not None and any(len(meaning.split()) > _NAME for meaning in _meant(book, word)):
+        return []
+    return [(word[:1].upper() + word[1:], book.own["ring text"])]
+
+
+def _meant(book: Book, word: str) -> list[str]:
+    """What her list of abbreviations says of a word, and of what stands for it."""
+    assert book.hers is not None
+    return [
+        meaning for said, meaning in book.hers.terms.items() if said.lower() == word or meaning.lower().startswith(word)
+    ]
+
+
+def _ranges(book: Book, record: Finish) -> bool:
+    """Whether her sentence has something between rounds that are no neighbours."""
+    if not isinstance(record, Placed | Embroidery) or _BETWEEN.search(book.words_of(record)) is None:
+        return False
+    hers = book.taken.rounds(record)
+    return bool(hers) and hers[1] - hers[0] > 1
 
 
 def _ways(book: Book) -> list[str]:
@@ -178,9 +210,12 @@ def _merged(book: Book) -> list[tuple[str, str]]:
     """Abbreviations with their meanings, ours and then hers; what means the same stands together."""
     made: dict[str, list[str]] = {}
     invisible = _INVISIBLE.search(book.piece.built.pattern.text.text) is not None and book.code in ("us", "uk")
+    hers = book.hers.terms if book.hers is not None else {}
     for said, meaning in (*book.said.abbreviations, *_of_hers(book)):
         if invisible and said.lower() in ("dec", "inv dec", "invdec"):
             meaning = book.own["invisible decrease"]
+        elif said == book.said.terms.word("dec") and said not in hers:
+            meaning = book.own["least"].format(meaning=meaning)
         plain = next((known for known in made if known.lower() == meaning.lower()), meaning)
         own = made.setdefault(plain, [])
         own += [said] if said.lower() not in (other.lower() for other in own) else []

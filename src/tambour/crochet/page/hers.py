@@ -101,7 +101,8 @@ _BY: Final = re.compile(
 )
 """A line near the top that says who made it: "Amigurumi pattern by Marlow & Hook"."""
 _TERM: Final = re.compile(
-    r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*(?=[;|\n]|$)"
+    r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*"
+    r"(?=[;|\n]|,[ \t]*[\w./()]{1,10}[ \t]*=|$)"
 )
 _LENGTH: Final = r"\d+(?:[.,]\d+)?\s*-?\s*(?:cm|inch(?:es)?|in\b|[\"”″])"
 _TALL: Final = re.compile(

@@ -25,7 +25,8 @@ _SOME, _UPRIGHT = 6, 0.8
 """Rounds of a part that others are put on, or more; and how upright it is, as a cosine."""
 _WHOLE = 0.8
 """A part that takes no more than this of a column is not broken."""
-_TICK = 2.5
+_TICK, _NEXT, _FIVE = 2.5, 3.2, 1.0
+"""A box to tick, from one to the next, and the gap after five, mm."""
 _WHICH = re.compile(r"(?:the )?(?:first|second|1st|2nd|other|left|right) \w+\W*$", re.IGNORECASE)
 """A heading of one of two pieces that are written as one."""
 _STUFFS = re.compile(
@@ -109,6 +110,21 @@ def _rows(book: Book, block: PartText, width: float) -> list[Atom]:
     return [_row(book, row, width, label, count) for row in rows]
 
 
+def _ticks(times: int, room: float, taken: float) -> tuple[list[tuple[int, float]], int]:
+    """A box for each of several rounds, in fives: the line and the place of each; and how many lines they take below the words.
+
+    room : the width of the words' column, mm; taken : how much of it the last line of words takes
+    """
+    if times == 1:
+        return [], 0
+    long = (times - 1) * _NEXT + (times - 1) // 5 * _FIVE + _TICK
+    if taken + long <= room:
+        return [(0, room - long + k * _NEXT + k // 5 * _FIVE) for k in range(times)], 0
+    each = max(5, int((room + _FIVE) / (5 * _NEXT + _FIVE)) * 5)
+    places = [(1 + k // each, (k % each) * _NEXT + (k % each) // 5 * _FIVE) for k in range(times)]
+    return places, places[-1][0]
+
+
 def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom:
     """A line of a part: a box to tick, the round, what is done, its count; and the colours that it changes to."""
     changes = [color for color in row.colors if color in book.used]
@@ -124,11 +140,15 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
         return Atom(len(lines) * size * LEADING + 1.0, alone, 0.4, keep=bool(changes))
     left = _TICK + 2.0 + label
     lines = wrap(row.words, BODY, width - left - count) or [""]
+    ticks, below = _ticks(row.times, width - left - count, width_of(lines[-1], BODY) + 2.0)
+    lines += [""] * below
     tall = len(lines) * BODY * LEADING + 1.1
 
     def draw(sheet: Page, x: float, y: float) -> None:
         base = y + BODY + 0.2
-        sheet.box(x + 0.1, base - _TICK + 0.15, _TICK, _TICK, None, HAIR, 0.25, 0.4)
+        for line, at in ticks if row.times > 1 else [(0, 0.1 - left)]:
+            down = (line + len(lines) - 1 - below if row.times > 1 else 0) * BODY * LEADING
+            sheet.box(x + left + at, base + down - _TICK + 0.15, _TICK, _TICK, None, HAIR, 0.25, 0.4)
         sheet.text(row.label, x + _TICK + 2.0, base, BODY, True)
         sheet.paragraph(lines, x + left, base, BODY)
         if row.count:

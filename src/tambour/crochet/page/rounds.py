@@ -69,7 +69,7 @@ class Rounds:
             words = re.sub(rf"\b{re.escape(self.terms.word('round'))}\b", word, words)
         if line.said and not self.exact:  # her count stays hers, with the doubt beside it
             words, count = f"{words} [{self.terms.page['makes'].format(n=count)}]", line.said
-        return Row(head, words, count, last, hues_of(all_of(line)))
+        return Row(head, words, count, last, hues_of(all_of(line)), times=line.times)
 
     def items(self, line: Written, closing: bool) -> str:
         """The stitches of a line, brackets found."""

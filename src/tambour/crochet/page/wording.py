@@ -16,7 +16,7 @@ class Row:
     """A line of a part: its round ("Rnd 3", "" for none), what is done, the count of stitches at its end (0: unsaid).
 
     number : of its last round, 0 for none; colors : those it changes to
-    ours : it is not the designer's, among her own
+    ours : it is not the designer's, among her own; times : how many rounds it is
     """
 
     label: str
@@ -25,6 +25,7 @@ class Row:
     number: int = 0
     colors: tuple[RGB, ...] = ()
     ours: bool = False
+    times: int = 1
 
     def __str__(self) -> str:
         head = f"{self.label}: {self.words}" if self.label else self.words
