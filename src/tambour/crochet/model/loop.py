@@ -30,9 +30,11 @@ GAIN = 0.004
 BENT, IDLE = 5, 3
 """How often a part's bends are corrected, and the widths of its rounds after each; and after how many times in a row that bring nothing
 that ends."""
+FLAT = 0.78
+"""A limb whose lines enclose a smaller share than this of what circles would is tried without stuffing too, as ears are worked."""
 MANY = 2.0
 """How many rounds of a part that bends lean at the most, against those that may be neither plain nor a repeat."""
-BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 6
+BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 8
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; no more threads than so many are pulled at once."""
 BOUNDS = 0.6, 1.5
@@ -123,13 +125,36 @@ def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tr
 
 def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Task, Tried, list[float]]:
     """The best rounds that corrections lead to, the task with the bends of these, and the mean distances on the way: of counts first,
-    then of bends, then of threads as well."""
-    best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
+    then of bends, then of threads as well; of a flat limb all that stuffed, and once more without stuffing."""
+    done, best, history = _worked(task, tried(task, task.way.girths) if first is None else first, tries)
+    if task.way.closed or not _stuffed(task) or roundness(task.way) > FLAT:
+        return done, best, history
+    empty = replace(task, stuffing="none")
+    empty, flat, more = _worked(empty, tried(empty, task.way.girths), tries)
+    history += more
+    return (empty, flat, history) if flat.distance.mean < best.distance.mean - GAIN else (done, best, history)
+
+
+def _stuffed(task: Task) -> bool:
+    """Whether there is stuffing in a part."""
+    return (task.stuffing or task.params.stuffing) != "none"
+
+
+def roundness(way: Fronts) -> float:
+    """How round the lines of a part are, on the average: what they enclose, as a share of what circles as long would."""
+    size = way.girths
+    own = [0.5 * np.cross(line, np.roll(line, -1, 0)).sum(0) for line in (line - line.mean(0) for line in way.lines)]
+    within = np.sqrt((np.array(own) ** 2).sum(1))
+    return float((4.0 * math.pi * within / size).sum() / size.sum())
+
+
+def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    """The same, filled as the task says."""
+    best, history = _counted(task, first, tries)
     task, best, more = bent(task, best, tries)
     history += more
-    stuffed = (best.rounds.stuffing or task.params.stuffing) != "none"
-    most = threads.most(sum(best.counts), task.plain) if stuffed else 0
-    bare, tighter = best, threads.FIRST
+    most = threads.most(sum(best.counts), task.plain) if task.params.stuffing != "none" else 0
+    bare, tighter = best, threads.FIRST if _stuffed(task) else 0.0
     add = most if most <= HARDLY else most // BATCHES
     for _ in range(BATCHES + SPARE):
         holds = threads.chosen(best, min(add, most - len(best.holds)), tighter)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 EVERY = 40
 """A part that shall be as near as can be has a thread for so many of its stitches, at the most."""
-FEW, FLAT, MANY, PER = 2, 4, 6, 200
+FEW, FLAT, MANY, PER = 2, 4, 8, 150
 """Any other has one for PER stitches at the most, and no more than MANY; if it has fewer than SMALL stitches FEW, else at least FLAT, as
 an ear needs to lie flat."""
 SMALL = 120
