@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
+import pypdfium2
 import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.page.angle import VIEW
+from tambour.crochet.page.annotated import view as edited
 from tambour.crochet.page.assembly import _held
 from tambour.crochet.page.begin import _hows, _merged, _ways
 from tambour.crochet.page.book import Book
@@ -23,6 +26,7 @@ from tambour.crochet.page.plain import spelled
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.words.table import TERMS
+from tambour.files import write
 
 SHOP = Path(__file__).parent / "data" / "shop"
 
@@ -397,3 +401,17 @@ def test_yarn_for_sewing_is_of_the_pieces_that_are_sewn() -> None:
     house = shop("mushroom-house").piece
     white = materials(house)["yarn"][-1]["metres"]
     assert white > 1.1 * (5 * 0.3 + 5 * 0.3)  # five spots, and a tail at each
+
+
+def test_an_edited_text_has_pictures_beside_its_parts(tmp_path: Path) -> None:
+    text = shop("cat").piece.built.pattern.text
+    made = edited(make(text, CrochetParams(detail="low"), Progress()))
+    beside = [made.text[at:].split("\n")[0].strip() for at, _ in made.beside]
+    assert beside == ["Mimi the Cat", "HEAD", "BODY", "MUZZLE", "EARS (make 2)", "LEGS (make 4)", "TAIL"]
+    write(replace(made, beside=made.beside[:2]), tmp_path / "cat.html")
+    assert (tmp_path / "cat.html").read_text(encoding="utf-8").count("float:right") == 2
+    few = replace(made, beside=tuple((at, made.beside[0][1]) for at, _ in made.beside))
+    write(few, tmp_path / "cat.pdf")
+    pages = pypdfium2.PdfDocument(tmp_path / "cat.pdf")
+    images = [o for page in pages for o in page.get_objects() if o.type == 3]
+    assert len(images) == len(beside)

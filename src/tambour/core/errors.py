@@ -84,6 +84,7 @@ class Text:
     """A text and the name it is known by (a path, ``<stdin>``): the source of every craft that reads language.
 
     photos : pictures that stood in it, each with its offset and the bytes of its file
+    beside : pictures to stand beside it, each with the offset of its line and what draws it, as the bytes of a file
     told : what whoever reads it should know of how its file was read
 
     >>> Text("R1: MR(6)", "ball.acl").name
@@ -94,6 +95,7 @@ class Text:
     name: str = "<text>"
     photos: tuple[tuple[int, bytes], ...] = field(default=(), compare=False, repr=False)
     told: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    beside: tuple[tuple[int, Callable[[], bytes]], ...] = field(default=(), compare=False, repr=False)
 
     def place(self, offset: int) -> tuple[int, int]:
         r"""Line and column of a character offset, both counted from 1.

@@ -97,7 +97,7 @@ VIEWS: dict[str, View] = {
     "annotated": View(
         Lazy("tambour.crochet.page.annotated:view"),
         "Text",
-        "the pattern's own text with its counts ticked and doubts under their lines",
+        "the pattern's own text with its counts ticked, doubts under their lines, pictures beside the parts",
     ),
     "graph": View(Lazy("tambour.crochet.looks:graph"), "dict", "the stitch graph and its shape as data", (".json",)),
     "live": View(

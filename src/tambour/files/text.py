@@ -72,7 +72,7 @@ def write_text(value: Text, sink: Sink) -> None:
 
 
 def write_html(value: Text, sink: Sink) -> None:
-    """A page of its own for a text in Markdown: headings, lists and paragraphs; every character of it is text. Its pictures stand below their paragraphs."""
+    """A page of its own for a text in Markdown: headings, lists and paragraphs; every character of it is text. Its pictures stand below their paragraphs, or beside them."""
     title = escape(next((line.lstrip("# ") for line in value.text.split("\n") if line.strip()), sink.path.stem))
     out = [
         '<!doctype html>\n<html><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
@@ -80,7 +80,11 @@ def write_html(value: Text, sink: Sink) -> None:
         "<style>body{max-width:45em;margin:2em auto;padding:0 1em;font:1em/1.5 sans-serif}</style></head><body>",
     ]
     photos = sorted(value.photos, key=lambda photo: photo[0])
+    beside = sorted(value.beside, key=lambda one: one[0])
     for block in re.finditer(r"(?:[^\n]*\S[^\n]*(?:\n|$))+", value.text):
+        while beside and beside[0][0] < block.end():
+            shown = _shown(beside.pop(0)[1]())
+            out.append(f'<img style="float:right;clear:right;width:13em;margin:0 0 1em 1em" src="{shown}" alt="">')
         for kind, group in groupby(filter(str.strip, block[0].split("\n")), _kind):
             lines = [escape(line.lstrip("#- ") if kind else line) for line in group]
             if kind == "li":

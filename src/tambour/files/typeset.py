@@ -17,33 +17,43 @@ _MARGIN: Final = 20.0
 _INDENT: Final = 1.7  # mm to a space at a line's beginning
 _SIGN: Final = 3.4  # mm that a sign of one character in the margin takes
 _PICTURE: Final = (80.0, 70.0)
+_BESIDE: Final = (46.0, 38.0)
+_GAP: Final = 6.0
 
 
 def write_text(value: Text, sink: Sink) -> None:
-    """Pages of A4: every line of ``value``; a picture below the line in which it stands."""
+    """Pages of A4: every line of ``value``; a picture below the line in which it stands, or beside the lines from there on."""
     width, height = PAPERS["a4"]
     pages = [Page(width, height)]
-    y = _MARGIN
+    y, taken = _MARGIN, 0.0  # how far down the room at the right is taken
     photos = sorted(value.photos, key=lambda photo: photo[0])
+    beside = sorted(value.beside, key=lambda one: one[0])
     at = 0
     for line in value.text.rstrip("\n").split("\n"):
         at += len(line) + 1
-        for x, words in _set(line, width - 2 * _MARGIN):
+        while beside and beside[0][0] < at:
+            picture, wide, high = _fitted(beside.pop(0)[1](), _BESIDE)
+            top = max(y, taken)
+            if top + high > height - _MARGIN:
+                pages.append(Page(width, height))
+                y = top = _MARGIN
+            pages[-1].image(picture, width - _MARGIN - wide, top + 1.0, wide, high, photo=True)
+            taken = top + high + _GAP
+        room = width - 2 * _MARGIN - (_BESIDE[0] + _GAP if y < taken else 0.0)
+        for x, words in _set(line, room):
             if y + _STEP > height - _MARGIN:
                 pages.append(Page(width, height))
-                y = _MARGIN
+                y, taken = _MARGIN, 0.0
             y += _STEP
             for shift, part in words:
                 pages[-1].text(part, _MARGIN + x + shift, y, _SIZE)
         while photos and photos[0][0] < at:
-            picture = _picture(photos.pop(0)[1])
-            high, wide = picture.rgba.shape[:2]
-            scale = min(_PICTURE[0] / wide, _PICTURE[1] / high)
-            if y + 2.0 + high * scale > height - _MARGIN:
+            picture, wide, high = _fitted(photos.pop(0)[1], _PICTURE)
+            if y + 2.0 + high > height - _MARGIN:
                 pages.append(Page(width, height))
-                y = _MARGIN
-            pages[-1].image(picture, _MARGIN, y + 2.0, wide * scale, high * scale, photo=True)
-            y += 4.0 + high * scale
+                y, taken = _MARGIN, 0.0
+            pages[-1].image(picture, _MARGIN, y + 2.0, wide, high, photo=True)
+            y += 4.0 + high
     write_drawing([page.drawing(title=sink.path.stem) for page in pages], sink)
 
 
@@ -69,8 +79,12 @@ def _set(line: str, room: float) -> list[tuple[float, list[tuple[float, str]]]]:
     ]
 
 
-def _picture(data: bytes) -> Picture:
+def _fitted(data: bytes, most: tuple[float, float]) -> tuple[Picture, float, float]:
+    """The picture in a file, and how wide and high it stands in ``most``, mm."""
     import numpy as np
     from PIL import Image
 
-    return Picture(np.asarray(Image.open(io.BytesIO(data)).convert("RGBA")))
+    picture = Picture(np.asarray(Image.open(io.BytesIO(data)).convert("RGBA")))
+    high, wide = picture.rgba.shape[:2]
+    scale = min(most[0] / wide, most[1] / high)
+    return picture, wide * scale, high * scale

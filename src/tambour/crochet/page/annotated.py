@@ -1,8 +1,12 @@
-"""Annotated: the designer's text as an editor gives it back: her words untouched, counts ticked, doubts under their lines."""
+"""Annotated: the designer's text as an editor gives it back: her words untouched, counts ticked, doubts under their lines, pictures beside the parts."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache, partial
+from io import BytesIO
 from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Problem, Text
@@ -11,11 +15,16 @@ from tambour.crochet.graph.check import size_edit, tech_edit
 from tambour.crochet.language.finishes import GUESSED, UNSEEN
 
 if TYPE_CHECKING:
+    from tambour.crochet.page.album import Album
     from tambour.crochet.piece import Plush
 
 TICK, DOUBT, NOTE = "✓", "✗", "?"
 """Signs in the margin: a count that holds, something wrong or doubtful, something that was guessed or not understood."""
 _WIDE: Final = 2
+_FEW: Final = 2
+"""A part of no more stitches shows nothing."""
+_PIXELS: Final = (480, 400)
+"""Width and height of a picture beside the text."""
 DOCUMENTS: Final = (".docx", ".odt", ".html", ".htm", ".pdf")
 """Files whose headings are no characters: those that stand before them in the text that was read are not hers."""
 _MARKS: Final = re.compile(r"^#{1,6} ")
@@ -26,7 +35,43 @@ def view(piece: Plush) -> Text:
     import numpy as np
 
     size = tuple(float(v) for v in np.ptp(piece.positions, axis=0)) if len(piece.positions) else (0.0, 0.0, 0.0)
-    return annotated(piece.built, size)
+    made = annotated(piece.built, size)
+    return replace(made, beside=_beside(piece, made.text)) if len(piece.positions) else made
+
+
+def _beside(piece: Plush, text: str) -> tuple[tuple[int, Callable[[], bytes]], ...]:
+    """Pictures as computed, drawn when a file takes them: the whole beside the first line, each part beside its heading."""
+    built, album = piece.built, lru_cache(maxsize=1)(partial(_album, piece))
+    lines = [0, *(k + 1 for k, c in enumerate(text) if c == "\n")]
+    found: list[tuple[int, Callable[[], bytes]]] = [(0, partial(_drawn, album, ()))]
+    for number, section in enumerate(built.pattern.parts):
+        parts = [k for k, part in enumerate(built.parts) if part.section == number]
+        graph = [built.graph.parts[k] for k in parts]
+        if len(built.pattern.parts) > 1 and parts and graph[0].end - graph[0].start > _FEW and section.name:
+            source = built.pattern.whole or built.pattern.text
+            head = source.line(section.span.start).strip()
+            at = next((k for k in lines if text[k:].split("\n", 1)[0][_WIDE:].strip() == head), -1)
+            found += [(at, partial(_drawn, album, tuple(parts[:1])))] if head and at >= 0 else []
+    return tuple(found)
+
+
+def _album(piece: Plush) -> Album:
+    from tambour.crochet.page.album import Album
+
+    return Album(piece)
+
+
+def _drawn(album: Callable[[], Album], parts: tuple[int, ...]) -> bytes:
+    """A small picture of some parts, of all for none, as the bytes of a file."""
+    from PIL import Image
+
+    from tambour.crochet.page.pictures import from_side, of_parts
+
+    wide, high = _PIXELS
+    picture = of_parts(album(), parts, wide, high) if parts else from_side(album(), "front", wide, high)
+    made = BytesIO()
+    Image.fromarray(picture.rgba).save(made, "PNG")
+    return made.getvalue()
 
 
 def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:

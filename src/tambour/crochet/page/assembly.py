@@ -36,7 +36,7 @@ _SMALL = 0.6
 """What a step is about is shown from near where it is so small beside all that is there."""
 _MORE = 1.35
 """So much more than that is in the picture: where it is, is seen."""
-_SHARES = (0.85, 0.74, 0.62, 0.5)
+_SHARES = (0.85, 0.74, 0.62, 0.5, 0.38)
 """How high a step's picture is for its width: as high as costs no page."""
 _SIDES = 55.0
 """Room for the finished toy from its sides, mm."""
@@ -65,7 +65,8 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
                 lines += paragraph(f"› {note}", width, size, None, 0.9)
         told.append((angle(piece, step.parts, step.fresh, " ".join(said)), lines))
     tried = []
-    for share in _SHARES:
+    single = len(book.frame.lefts) == 1  # in a wide column lower ones are large enough
+    for share in _SHARES[1:] if single else _SHARES[:-1]:
         chunks = [
             _step(book, k, step, view, lines, frame, width * share)
             for k, (step, (view, lines)) in enumerate(zip(found, told), 1)
@@ -97,11 +98,11 @@ def _pages(book: Book, chunks: list[Chunk]) -> int:
     frame = book.frame
     under = book.below[1] if book.pages else frame.top
     first, rest = plan(chunks, frame, under + HEAD * 1.2 + 3.0)
-    last = rest[-2:] if len(rest) % 2 == 0 else rest[-1:]
+    many = len(frame.lefts)
+    last = rest[(len(rest) - 1) // many * many :] if rest else []
     top = frame.top if rest else under
     deep = max((sum(c.height + c.above for c in column) for column in last or first), default=0.0)
-    pages = -(-len(rest) // len(frame.lefts))
-    return 2 * pages + (top + deep + _SIDES > frame.bottom)
+    return 2 * -(-len(rest) // many) + (top + deep + _SIDES > frame.bottom)
 
 
 def _near(book: Book, step: Step) -> Array:
