@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -40,30 +41,38 @@ def standing(x: Array, up: str) -> Array:
     return x * (-1.0, -1.0, 1.0) if up == "start" else x
 
 
-def frames(known: Spots, positions: Array, spots: Sequence[Spot], upright: Array | None = None) -> Frames:
+def frames(
+    known: Spots,
+    positions: Array,
+    spots: Sequence[Spot],
+    upright: Array | None = None,
+    normal: Array | None = None,
+) -> Frames:
     """Where ``spots`` are on the fabric and how it lies there.
 
     positions : (N, 3) of the graph's nodes, in any unit, front +z
     upright : (P, 3) which way is up on every part; None: +y on all. Up on a part that leans leans with it
+    normal : what :func:`outward` gives of the parts that the spots are on, where that is known
     """
     built, x = known.built, np.ascontiguousarray(positions, np.float64)
-    outward = _outward(known, x, spots)
+    normal = outward(known, x, {known.parts[spot.part] for spot in spots}) if normal is None else normal
     points, normals, tops = np.zeros((len(spots), 3)), np.zeros((len(spots), 3)), np.zeros((len(spots), 3))
     for k, spot in enumerate(spots):
         place = known.place(spot)
         nodes, weights = list(place.nodes), np.array(place.weights)
-        points[k], normals[k] = (weights[:, None] * x[nodes]).sum(0), (weights[:, None] * outward[nodes]).sum(0)
+        part = known.parts[spot.part]
+        points[k], normals[k] = (weights[:, None] * x[nodes]).sum(0), (weights[:, None] * normal[nodes]).sum(0)
         if place.opening:
-            normals[k] = _out_of(x, nodes, built.graph.parts[known.parts[spot.part]])
-        tops[k] = (0.0, 1.0, 0.0) if upright is None else upright[known.parts[spot.part]]
+            normals[k] = _out_of(x, nodes, built.graph.parts[part])
+        tops[k] = (0.0, 1.0, 0.0) if upright is None else upright[part]
     normals = _unit(normals)
     return Frames(points, normals, *level(normals, tops))
 
 
-def _outward(known: Spots, x: Array, spots: Sequence[Spot]) -> Array:
-    """The normals (N, 3) of the fabric of the parts that ``spots`` are on; up (0, 1, 0) on others."""
+def outward(known: Spots, x: Array, parts: Iterable[int]) -> Array:
+    """The normals (N, 3) of the fabric of ``parts``; up (0, 1, 0) on others."""
     made = np.tile([0.0, 1.0, 0.0], (len(x), 1))
-    for part in {known.parts[spot.part] for spot in spots}:
+    for part in parts:
         faces = known.faces(part)
         if len(faces):
             first, end = int(faces.min()), int(faces.max()) + 1
@@ -81,13 +90,22 @@ def _out_of(x: Array, rim: list[int], part: Part) -> Array:
 
 def level(normals: Array, tops: Array) -> tuple[Array, Array]:
     """Along and up (K, 3) in the planes across ``normals`` (K, 3), where ``tops`` (K, 3) is up."""
-    rises = (normals * tops).sum(1, keepdims=True)
-    share = np.clip((np.abs(rises) - LEVEL[0]) / (LEVEL[1] - LEVEL[0]), 0.0, 1.0)
+    made = np.array([_level(*n, *t) for n, t in zip(normals.tolist(), tops.tolist())]).reshape(-1, 2, 3)
+    return np.ascontiguousarray(made[:, 0]), np.ascontiguousarray(made[:, 1])
+
+
+def _level(a: float, b: float, c: float, d: float, e: float, f: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """The same of one normal (a, b, c), where (d, e, f) is up: plain numbers, since few are asked for at a time."""
+    rise = a * d + b * e + c * f
+    share = min(max((abs(rise) - LEVEL[0]) / (LEVEL[1] - LEVEL[0]), 0.0), 1.0)
     share = share * share * (3.0 - 2.0 * share)
-    back = np.array([0.0, 0.0, -1.0]) * np.where(rises >= 0.0, 1.0, -1.0)
-    wanted = (1.0 - share) * tops + share * back
-    up = _unit(wanted - (wanted * normals).sum(1, keepdims=True) * normals)
-    return np.cross(up, normals), up
+    kept, back = 1.0 - share, -share if rise >= 0.0 else share
+    x, y, z = kept * d - 0.0 * back, kept * e - 0.0 * back, kept * f + back
+    off = x * a + y * b + z * c
+    x, y, z = x - off * a, y - off * b, z - off * c
+    long = math.sqrt(x * x + y * y + z * z)
+    x, y, z = (x / long, y / long, z / long) if long > 1e-12 else (0.0, 0.0, 0.0)
+    return (y * c - z * b, z * a - x * c, x * b - y * a), (x, y, z)
 
 
 def _unit(v: Array) -> Array:

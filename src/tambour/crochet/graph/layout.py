@@ -105,15 +105,18 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     known = {part: made for part, key in keys.items() if (made := _laid.get(key)) is not None}
     for part, made in known.items():
         x[graph.parts[part].start : graph.parts[part].end] = made
+    first: dict[bytes, int] = {}
+    copied = {part: one for part, key in keys.items() if (one := first.setdefault(key, part)) != part}
     for k, (a, b) in enumerate(zip(starts.tolist(), ends.tolist())):
         part = int(graph.part[a])
-        if part in known:
+        if part in known or part in copied:
             continue
         nodes = np.arange(a, b)
         anchors = graph.anchors[graph.anchor_offsets[a] : graph.anchor_offsets[b]]
         over = np.repeat(np.arange(b - a), np.diff(graph.anchor_offsets[a : b + 1]))  # which node is worked into each
-        over, anchors = over[anchors < a], anchors[anchors < a]
-        under = np.unique(anchors)
+        if len(anchors) and int(anchors.max()) >= a:
+            over, anchors = over[anchors < a], anchors[anchors < a]
+        under = anchors if bool((anchors[1:] > anchors[:-1]).all()) else np.unique(anchors)
         if not len(under) and dangling.strung(graph, a, b):
             dangling.placed(graph, x, heights, (a, b), bool(flat[part]))
             continue
@@ -130,7 +133,8 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             begun[part] += int(graph.previous[a] < 0 or graph.previous[a] < graph.parts[part].start)
             continue
         centre = x[under].mean(0)
-        below = np.unique(section[under])
+        below = section[under]
+        below = below[:1] if below[0] == below[-1] else np.unique(below)
         if len(below) == 1:
             c, d = int(starts[below[0]]), int(ends[below[0]])
             if WHOLE * (d - c) < len(under) < d - c and not flat[part] and half[part] < 0.0:
@@ -179,11 +183,13 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)
         place = centre + np.array([0.0, -up if inside[a] else up, 0.0])
         if b - a > 1:
-            place = forks.clear(k, np.unique(section[under]), place, radius, part)
+            place = forks.clear(k, below, place, radius, part)
         x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
     for part in np.flatnonzero(in_rows(graph)).tolist():
-        if part not in known:
+        if part not in known and part not in copied:
             rolls.roll(graph, x, part)
+    for part, one in copied.items():
+        x[graph.parts[part].start : graph.parts[part].end] = x[graph.parts[one].start : graph.parts[one].end]
     for part, key in keys.items():
         if part not in known:
             _laid[key] = x[graph.parts[part].start : graph.parts[part].end].copy()

@@ -14,6 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem
 from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
 from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.moment import Round
 from tambour.crochet.graph.lids import lids
 from tambour.crochet.language.finishes import Finish, Spot, spots_of
 
@@ -52,6 +53,8 @@ class Spots:
         self._ends: dict[int, int] = {}
         self._numbers: dict[int, list[int]] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
+        self._stitches: dict[int, Array] = {}
+        self._fronts: dict[int, float] = {}
         made: dict[int, int] = {}  # part → its last round with stitches
         into = np.diff(built.graph.anchor_offsets)
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
@@ -92,21 +95,23 @@ class Spots:
         graph, x = self.built.graph, x.copy()
         joins = graph.edges[graph.edge_kind == JOIN, 0]
         joined = set(zip(graph.part[joins].tolist(), graph.round[joins].tolist()))
+        wide: dict[int, list[Round]] = {}
+        for r in self.built.rounds:
+            if not r.aside and r.last + 1 - r.first >= LEAST:
+                wide.setdefault(r.part, []).append(r)
         for part, p in enumerate(graph.parts):
             if p.stuffing <= 0.0 or self.in_rows[part]:
                 continue
             turns, weights, rings = [0.0], [0.0], [np.zeros(0, int)]
-            for r in self.built.rounds:
-                if r.part != part or r.aside or r.last + 1 - r.first < LEAST:
-                    continue
+            if not any((part, int(graph.round[r.first])) in joined for r in wide.get(part, ())):
+                continue
+            for r in wide[part]:
                 nodes = np.arange(r.first, r.last + 1)
                 off = (x[nodes] - x[nodes].mean(0))[:, [0, 2]]
                 wanders = (part, int(graph.round[r.first])) in joined
                 turns.append(turns[-1] + (SLANT * 2.0 * math.pi / len(nodes) if wanders else 0.0))
                 weights.append(float((off**2).sum()))
                 rings.append(nodes)
-            if turns[-1] == 0.0:
-                continue
             mean = float(np.average(turns, weights=weights))
             for turn, nodes in zip(turns[1:], rings[1:]):
                 c, s = math.cos(turn - mean), math.sin(turn - mean)
@@ -130,7 +135,13 @@ class Spots:
         return in_rows(self.built.graph)
 
     def stitches(self, k: int) -> Array:
-        """The nodes of round ``k`` (an index of Built.rounds) that count, in order: lifting chains left out."""
+        """The nodes of round ``k`` (an index of Built.rounds) that count, in order: lifting chains left out. Not to be written."""
+        if k not in self._stitches:
+            self._stitches[k] = nodes = self._counted(k)
+            nodes.setflags(write=False)
+        return self._stitches[k]
+
+    def _counted(self, k: int) -> Array:
         r, graph = self.built.rounds[k], self.built.graph
         nodes = np.arange(r.first, r.last + 1)
         spare = len(nodes) - r.count
@@ -210,6 +221,11 @@ class Spots:
 
     def front(self, k: int) -> float:
         """Position in round ``k``, from 0, of the middle of the front."""
+        if k not in self._fronts:
+            self._fronts[k] = self._front(k)
+        return self._fronts[k]
+
+    def _front(self, k: int) -> float:
         nodes = self.stitches(k)
         n = len(nodes)
         if self.in_rows[self.built.rounds[k].part] or n < 3:

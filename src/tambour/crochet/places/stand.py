@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.capped import across, lid_on
-from tambour.crochet.finish.placing import Frames, frames, standing
+from tambour.crochet.finish.placing import Frames, frames, outward, standing
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed, Spot
 
@@ -29,6 +29,10 @@ class Stand:
         self.spots = spots
         self.x = spots.layout.copy()
         self.upright = np.tile([0.0, 1.0, 0.0], (len(spots.built.graph.parts), 1))
+        # Of parts, since they were turned last:
+        self._frames: dict[int, dict[tuple[float, float | None], Frames]] = {}
+        self._outward: dict[int, Array] = {}
+        self._hosts: dict[int, dict[tuple[str, int, int], Host]] = {}
 
     def nodes(self, part: int) -> Array:
         """The nodes of a part."""
@@ -39,6 +43,15 @@ class Stand:
         """Stand a part that others stand on: its end on top, its start, or on its side."""
         own = self.nodes(part)
         self.x[own] = standing(self.spots.layout[own], up)
+        self._turned(part)
+
+    def _turned(self, part: int) -> None:
+        """Forgets how a part lay; of all parts where some are worked into each other."""
+        of = self.spots.built.graph.part[self.spots.built.graph.faces]
+        for known in (self._frames, self._outward, self._hosts):
+            if (of != of[:, :1]).any():
+                known.clear()
+            known.pop(part, None)
 
     def there(self, spot: Spot) -> bool:
         """Whether a spot is on the fabric."""
@@ -46,7 +59,23 @@ class Stand:
 
     def frame(self, spot: Spot) -> Frames:
         """How the fabric lies at a spot (K = 1)."""
-        return frames(self.spots, self.x, [spot], self.upright)
+        part, place = self.spots.parts[spot.part], (spot.round, spot.stitch)
+        known = self._frames.setdefault(part, {})
+        if place not in known:
+            if part not in self._outward:
+                self._outward[part] = outward(self.spots, self.x, [part])
+            known[place] = made = frames(self.spots, self.x, [spot], self.upright, self._outward[part])
+            for array in made:
+                array.setflags(write=False)
+        return known[place]
+
+    def host(self, name: str, low: int, high: int) -> Host:
+        """A part, or some of its rounds, that things are put on."""
+        known = self._hosts.setdefault(self.spots.parts[name], {})
+        place = (name, low, high)
+        if place not in known:
+            known[place] = Host(self, *place)
+        return known[place]
 
     def place(self, placed: Placed) -> None:
         """Turn a part as it will be where it is placed."""
@@ -63,6 +92,7 @@ class Stand:
         axis, front = sewing.ways(placed, end, frame)
         self.x[own] = sewing.brought(layout, own, how, axis, front, frame.points[0])
         self.upright[part] = sewing.leaning(placed, frame) @ self.upright[self.spots.parts[placed.spot.part]]
+        self._turned(part)
 
 
 @dataclass(frozen=True, eq=False)

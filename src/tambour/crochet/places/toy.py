@@ -104,14 +104,14 @@ class Toy:
         low, high = numbers_of(self.spots, part)
         alone = not [p for p in self.parts if p != copy[0] and p.single and p.kind in ("head", "body")]
         if region and copy[0].name in self.sections and region in self.sections[copy[0].name]:
-            return Host(self.stand, name, *self.sections[copy[0].name][region])
+            return self.stand.host(name, *self.sections[copy[0].name][region])
         waist = (neck(self.spots, part) or self._half(part, low, high)) if region and alone else None
         if waist is not None:
             x, own = self.stand.x, self.stand.nodes(part)
             _, up, ahead = x[own[0]] - x[own[-1]]
             down = up > 0.0 if abs(up) > max(2.0, abs(ahead)) else ahead > -2.0  # of what lies the head is ahead
             low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
-        return Host(self.stand, name, low, high)
+        return self.stand.host(name, low, high)
 
     def _sections(self, made: Made) -> dict[str, tuple[int, int]]:
         """The first and last rounds of what headings within a piece call its head, its body, its cap: "Continue for Head:"."""
