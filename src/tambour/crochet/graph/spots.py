@@ -14,8 +14,8 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem
 from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.moment import Round
 from tambour.crochet.graph.lids import lids
+from tambour.crochet.graph.moment import Round
 from tambour.crochet.language.finishes import Finish, Spot, spots_of
 
 MOSTLY = 0.25
