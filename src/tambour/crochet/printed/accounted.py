@@ -38,8 +38,10 @@ _QUIET: Final = frozenset(
     pick attach joining joined break cut drop carry pm marker markers mark marked marking place placing placed""".split()
 )
 """Words that a round's reading takes in, or that tell a hand nothing by themselves."""
+_HOW: Final = ("light", "firm")
 UNHEADED: Final = "of this heading only the first yarn is worked with"
 _ALIKE: Final = frozenset("alike pieces piece pcs stück parts part both identical yarn".split())
+_SMALL_WORDS: Final = re.compile(r"[^\S\n]*(?:[^\W\d_]+[^\S\n]+)*")
 _HEADED: Final = 120  # letters of a line that is a heading
 _SMALL: Final = 2  # letters of a yarn's or a stitch's short name
 
@@ -161,20 +163,28 @@ def _looked_at(words: str) -> bool:
 
 def _passed(p: State, line: Line, tokens: list[Token]) -> list[Span]:
     """The clauses of a line that hold a word which its reading does not stand for; those that follow each other are one."""
+    text = p.source.text.text
     made: list[Span] = []
     clause: list[Token] = []
-    joined = False
+    joined, begin = False, line.span.start
     for token in [*tokens, None]:
         if token is not None and not (token.kind == "mark" and token.word in _STOPS):
             clause.append(token)
             continue
         if clause and _says(p, line, clause):
-            span = Span(clause[0].start, clause[-1].end)
+            led = text[begin : clause[0].start]  # small words are no tokens: "this will be the front"
+            at = clause[0].start - len(led.lstrip()) if _SMALL_WORDS.fullmatch(led) else clause[0].start
+            span = Span(at, clause[-1].end)
             made[-1:] = [Span(made[-1].start, span.end)] if joined else [*made[-1:], span]
             joined = token is not None and token.word == ","
         elif clause:
             joined = False
+            stuffs = any(t.value == "stuff" for t in clause)
+            made += [
+                t.span for t in clause if t.kind == "key" and t.value in _HOW and not stuffs
+            ]  # "sc around, loosely"
         clause = []
+        begin = token.end if token is not None else begin
     return made
 
 

@@ -50,7 +50,7 @@ class Walk(Trade):
                 c.at += 1
                 continue
             if self.hands():
-                c.at += 1
+                c.at += c.at == at or c.mark(*ENDS)  # a count behind it is the round's
                 continue
             if any(map(makes, body.items)) and (even := even_rounds(c.tokens[at : self.end_of_sentence()])) is not None:
                 body.plain.append(even)

@@ -172,7 +172,7 @@ class Headed(State):
             handed = handed or put
         instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
         notes = tuple(Span(d[0].start, ended(self.source.text.text, d[-1].end)) for d in read.doings if d)
-        for done in read.doings:
+        for done in filter(None, read.doings):
             amount = None if sews(self, done) and finishing(self, done) else stuffed(done)
             if amount is not None and amount >= 0:
                 draft.stuffing = amount

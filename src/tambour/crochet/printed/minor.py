@@ -11,6 +11,8 @@ from tambour.crochet.printed.tokens import Token
 
 _LISTED: Final = frozenset((",", ";", ".", ":", "(", "[", "*"))
 _TALL: Final = frozenset(("hdc", "dc", "tr"))
+_MADE_OF: Final = frozenset(("of", "with", "using", "made", "worked", "from", "consisting", "stitch"))
+_MOST: Final = 12  # stitches of a bump
 _HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
 _PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
 _ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
@@ -92,7 +94,22 @@ def _heaped(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
         alone = not at or tokens[at - 1].kind == "mark"
         if alone and some[2].kind == "number" and some[3].value in _TALL and some[4].word in (")", "]"):
             return [some[2], some[3], some[0]], at + 5
+    if some[0].kind == "stitch" and some[0].value in _HEAPS:
+        past = next((k for k, t in enumerate(tokens[at + 1 : at + 5], at + 1) if t.word not in _MADE_OF), at)
+        said = tokens[past : past + 2]
+        if (
+            past > at
+            and [t.kind for t in said] == ["number", "stitch"]
+            and said[1].value in _TALL
+            and _heap(said[0].value)
+        ):
+            return [*said, some[0]], past + 2  # "bobble of 4 dc", "a bobble made with 4 dc"
     return None
+
+
+def _heap(many: object) -> bool:
+    """Whether so many stitches are closed to one bump."""
+    return isinstance(many, int) and 2 <= many <= _MOST
 
 
 def _listed(tokens: list[Token]) -> list[Token]:

@@ -29,7 +29,7 @@ from tambour.crochet.printed.motifs import net
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
 from tambour.crochet.printed.redyed import colored
-from tambour.crochet.printed.risen import begun, facing
+from tambour.crochet.printed.risen import begun, closes, facing, lifted_last, words_of
 from tambour.crochet.printed.slips import joined_last, lowered
 from tambour.crochet.printed.tokens import Token
 
@@ -156,7 +156,9 @@ class Draft:
         ):
             items = [Action(self.loops, span), *items, Action("bl", span)]
         if items:
-            self._line(source, head, body, begun(self, head, facing(items), body), span, notes)
+            made = begun(self, head, facing(items), body)
+            unsaid = tuple(words_of(i) for i in items if isinstance(i, Action) and i.name == "ch" and i not in made)
+            self._line(source, head, body, made, span, (*unsaid, *notes))
 
     def ringed(self) -> bool:
         """Whether all of it is a round without a number: "Work 6 sc in ring." above Round 1."""
@@ -246,6 +248,9 @@ class Draft:
             message = f"round {body.below[0]} is named here, and this is worked into round {self.last}"
             source.doubt(message, f"join the yarn there first: join with sl st to Rnd {body.below[0]}", body.below[1])
         at = head.span if head is not None and numbers else said[1] if said is not None else None
+        bare = lifted_last(items, self.edge, body.stated, source.stitches, times) if head is not None else None
+        if bare is not None and not closes(bare[-1]):
+            items, notes = bare, (*notes, words_of(items[-1]))  # it is printed, and makes no stitch
         line = Line(tuple(items), span, worked, 1, None, None, body.stated, body.stated_span, None, notes)
         steady = all(b == a + 1 for a, b in pairwise(numbers))
         if numbers and head is not None:
@@ -264,7 +269,7 @@ class Draft:
         before = self.edge
         for _ in range(min(times, MARKED) if worked else 0):
             self.marked = middle(items, self.edge or 0, self.ahead(), source.stitches)
-        edge = body.edge or reached(items, self.edge, source.stitches, times)
+        edge = body.edge or reached(bare or items, self.edge, source.stitches, times)
         edge = edge - moved_in(items) if edge is not None and self.flat else edge
         spaced = fixed(items, source.stitches) if edge is None and times == 1 else None  # worked into spaces
         if spaced is not None and spaced[1] and body.stated == spaced[0] - spaced[1]:

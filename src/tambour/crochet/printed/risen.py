@@ -7,12 +7,14 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
-from tambour.crochet.language.stitches import STANDING
+from tambour.crochet.language.stitches import STANDING, Stitch
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import goes, span_of, works
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import reached
 
 if TYPE_CHECKING:
     from tambour.crochet.printed.parts import Draft
@@ -70,3 +72,26 @@ def facing(items: list[Item]) -> list[Item]:
         if one.name in STANDING or ends:
             made[k : k + 2] = [other, one]
     return made
+
+
+def lifted_last(
+    items: list[Item], edge: int | None, stated: int | None, stitches: dict[str, Stitch], times: int
+) -> list[Item] | None:
+    """``items`` without the chain at their end, where the count says that it is no stitch: "inc around, ch 1 (12)", which lifts the yarn to
+    the next round; None where there is no such chain."""
+    last = items[-1] if len(items) > 1 else None
+    if stated is None or not isinstance(last, Action) or last.name != "ch" or last.times > LIFT:
+        return None
+    bare = items[:-1]
+    return bare if reached(bare, edge, stitches, times) == stated else None
+
+
+def closes(item: Item) -> bool:
+    """Whether a round ends with ``item``, so that a chain behind it is of the next."""
+    return isinstance(item, Action) and item.name in ("join", "turn")
+
+
+def words_of(item: Item) -> Span:
+    """Where a chain is said, with its number: "ch 1"."""
+    many = item.times_span if isinstance(item, Action) else None
+    return item.span if many is None else Span(min(item.span.start, many.start), max(item.span.end, many.end))

@@ -36,11 +36,11 @@ class Trade(Dyes):
         while at < len(c.tokens):
             token = c.tokens[at]
             if token.kind == "mark":
+                if depth <= 0 and token.word in "-([{" and at > c.at and self.counted(at):
+                    return at - 1 if c.tokens[at - 1].word in ENDS else at
                 depth += (token.word in OPEN) - (token.word in ")]}>")
                 if token.word in ENDS and depth <= 0:
                     return at
-                if depth <= 0 and token.word in "-([{" and at > c.at and self.counted(at):
-                    return at - 1 if c.tokens[at - 1].word in ENDS else at
             at += 1
         return at
 
@@ -169,8 +169,12 @@ class Trade(Dyes):
             self.ending()
         elif word in ("close", "open", "leave"):
             c.at -= 1
+            begin = c.at
             self.ending()
-        elif word in ("stuff", "marker", "foundation"):
+            self.body.doings.append(c.tokens[begin : c.at])
+        elif word in ("stuff", "marker"):
+            self.by_the_way(c.at - 1)
+        elif word == "foundation":
             self.to_separator()
         elif word == "begin":
             if c.key("to", "in", "from") and not c.kind("ordinal", 1):  # "beginning at top of head with A"
@@ -219,7 +223,7 @@ class Trade(Dyes):
                 standing(found)
             self.to_separator()
         elif word == "not" and c.key("join", "turn", "fasten off", "close", "stuff", "marker", "color", "begin"):
-            self.to_separator()
+            self.by_the_way(c.at - 1)
         elif word == "side" and (after := c.look()) is not None and after.word in ("edge", "edges"):
             c.at -= 1  # "sc along bottom edge of Wing"
             if not self.along(found):
@@ -234,6 +238,11 @@ class Trade(Dyes):
             raise NotUnderstood(
                 token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
             )
+
+    def by_the_way(self, begin: int) -> None:
+        """Goes past a clause that makes no stitch, "place marker", "do not join", and keeps it with its round."""
+        self.to_separator()
+        self.body.doings.append(self.c.tokens[begin : self.c.at])
 
     def even(self, found: list[Item], token: Token) -> None:
         """``work even``, ``work even in hdc with A``: a stitch in each, in a yarn that is said behind it."""
