@@ -336,3 +336,80 @@ def test_a_count_in_a_sentence_of_its_own_belongs_to_its_round() -> None:
         and not _inside(Span(60, 62), line)
         and not _inside(None, line)
     )
+
+
+EGG = "Egg\n\nBody\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\nRnd 3: (sc, inc) x 6 (18)\n{}\nRnd 5: (sc, dec) x 6 (12)\nFasten off.\n"
+FLAG = "Flag\n\nFlag\nCh 11\nRow 1: sc in 2nd ch from hook and in each ch across, turn (10)\n{}\nFasten off.\n"
+EAR = "Cat\n\nEar\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\nFasten off.\n{}\nBody\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\nFasten off.\n"
+PAWS = "Cat\n\nBody\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\nFasten off.\n\n{}\nRnd 1: 6 sc in magic ring (6)\nRnd 2: sc around (6)\nFasten off.\n"
+
+
+@pytest.mark.parametrize("words", ["place marker", "move the marker up", "PM in the last stitch", "do not join", "don't turn", "pull tight", "loosely", "tightly", "stuff the top firmly", "ch 1"])  # fmt: skip
+def test_what_makes_no_stitch_stands_with_its_round(words: str) -> None:
+    pattern = read(Text(EGG.format(f"Rnd 4: sc around, {words} (18)"), "egg.txt"))
+    line = next(line for line in pattern.parts[0].lines if line.number == 4)
+    assert line.stated == 18 and words in [pattern.text.text[n.start : n.end] for n in line.notes]
+    assert made(pattern)["Body"] == [6, 12, 18, 18, 12]
+
+
+@pytest.mark.parametrize("words", ["sc around, sl st to join, ch 1 (18)", "sc around. Stuff as you go (18)", "sc around; carry red along [18]", "sc around, ch 1. (18)"])  # fmt: skip
+def test_counts_behind_chains_and_doings_are_the_rounds(words: str) -> None:
+    pattern = read(Text(EGG.format(f"Rnd 4: {words}"), "egg.txt"))
+    assert [line.stated for line in rounds(pattern, 0)] == [6, 12, 18, 18, 12]
+    assert made(pattern)["Body"] == [6, 12, 18, 18, 12]
+
+
+@pytest.mark.parametrize("words, bump", [("bobble of 4 dc", "bobble4"), ("a bobble made with 3 dc", "bobble3"), ("bobble stitch using four double crochets", "bobble4"), ("popcorn of 4 hdc", "popcorn4")])  # fmt: skip
+def test_bumps_have_as_many_loops_as_is_said(words: str, bump: str) -> None:
+    pattern = read(Text(EGG.format(f"Rnd 4: 8 sc, {words}, 9 sc (18)"), "egg.txt"))
+    assert names(rounds(pattern, 0)[3].items) == ["sc", bump, "sc"]
+
+
+@pytest.mark.parametrize("words", ["switching to red for the last pull through", "swap to red on the last yarn over", "finishing the last stitch in red"])  # fmt: skip
+def test_yarns_change_where_a_round_ends(words: str) -> None:
+    pattern = read(Text(EGG.format(f"Rnd 4: sc around, {words} (18)"), "egg.txt"))
+    assert len(hues(rounds(pattern, 0)[3])) == 1
+
+
+@pytest.mark.parametrize(
+    "words, count",
+    [
+        ("sc across, inc on both sides", 12),
+        ("inc 1 st at each end", 12),
+        ("2 sc in first and last st", 12),
+        ("dec at beginning and end of row", 8),
+        ("sc across decreasing 1 st at each end", 8),
+    ],
+)
+def test_rows_are_shaped_at_both_ends(words: str, count: int) -> None:
+    pattern = read(Text(FLAG.format(f"Row 2: ch 1, {words}, turn ({count})"), "flag.txt"))
+    assert made(pattern)["Flag"] == [10, count]
+    way = "inc" if count > 10 else "dec"
+    assert [n for n in names(rounds(pattern, 0)[1].items) if n not in ("ch", "turn")] == [way, "sc", way]
+
+
+@pytest.mark.parametrize("words", ["Crochet a second one.", "Do the other one too.", "Create another one.", "You need another one of these."])  # fmt: skip
+def test_second_ones_are_made_in_whatever_words(words: str) -> None:
+    assert [part.copies for part in read(Text(EAR.format(words), "cat.txt")).parts] == [2, 1]
+
+
+@pytest.mark.parametrize("words", ["And one more.", "One more, please.", "Now the other one!"])
+def test_what_may_be_a_second_one_is_told(words: str) -> None:
+    assert len(read(Text(EAR.format(words), "cat.txt")).unread) == 1
+
+
+@pytest.mark.parametrize("words", ["I love this yarn so much.", "The second one is easier.", "Your ear should look round by now.", "Isn't it cute?"])  # fmt: skip
+def test_talk_is_not_told(words: str) -> None:
+    assert not read(Text(EAR.format(words), "cat.txt")).unread
+
+
+@pytest.mark.parametrize("words, copies", [("Four little paws come next, in white", 4), ("And what would a cat be without paws?", 2), ("For her paws I took cream", 2), ("Now we come to the paws, of which there are four.", 4)])  # fmt: skip
+def test_sentences_that_head_a_part_name_it(words: str, copies: int) -> None:
+    part = read(Text(PAWS.format(words), "cat.txt")).parts[1]
+    assert (part.name.lower(), part.copies) == ("paws", copies)
+
+
+@pytest.mark.parametrize("words", ["Change color to white, fill the body.", "Change to white and stuff the body.", "Switch to white, then insert the eyes."])  # fmt: skip
+def test_yarns_change_before_what_hands_do(words: str) -> None:
+    pattern = read(Text(EGG.format(f"Rnd 4: sc around (18)\n{words}"), "egg.txt"))
+    assert [h for line in pattern.parts[0].lines for h in hues(line)] == [WHITE]

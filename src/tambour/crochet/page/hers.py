@@ -191,6 +191,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
     made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
     waiting: list[str] = []  # what she says before the next step
+    partly: list[Span] = []  # sentences of which a round is worked
     rest = next(
         (m.start() for m in _REST.finditer(text, max(last, max((s.start for s in covered), default=0)))), len(text)
     )
@@ -209,7 +210,15 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
                 c.start < span.end and span.start < c.end for c in covered
             ):
                 made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
+            else:
+                partly.append(span)
     made.closing += waiting
+    loose += [
+        s
+        for s in pattern.passed
+        if any(p.start <= s.start and s.end <= p.end for p in partly)
+        and not any(c.start < s.end and s.start < c.end for c in (*covered, *named))
+    ]  # "Work 6 sc in ring; do not join"
     for span in loose:
         if any(one == span for said in made.inside.values() for _, _, one in said):
             continue

@@ -181,7 +181,7 @@ def twin_made(p: State, tokens: list[Token]) -> bool:
 def again_made(p: State, tokens: list[Token]) -> bool:
     """Takes "Repeat for other legs" for copies of the part just made, and "Repeat on other armhole" for an edge that is worked once
     more, which is told; whether a sentence is either."""
-    if p.parts and ((tokens[0].value == "make" and _made_twice(p, tokens)) or _twin(p, tokens)):
+    if p.parts and (_made_twice(p, tokens) or _twin(p, tokens)):
         return True
     if not p.parts or not repeats_for(tokens, ("for", "in", "to", "with", "around")):
         return False
@@ -211,6 +211,17 @@ def again_made(p: State, tokens: list[Token]) -> bool:
     return False
 
 
+def once_again(p: State, tokens: list[Token]) -> bool:
+    """Takes "Create another one" for one copy more, of which others would read "make one"; whether it is such."""
+    text = p.source.text.text
+    said = text[_begin(text, tokens[0].start) : tokens[-1].end]
+    return (
+        tokens[0].value != "repeat"
+        and _OTHERS.search(said) is not None
+        and (_made_twice(p, tokens) or _twin(p, tokens))
+    )
+
+
 def _twin(p: State, tokens: list[Token]) -> bool:
     """Takes "Do the same for the second ear", "Make 2 of these" below a part's rounds for copies of it."""
     draft, heard = p.parts[-1], TERMS[p.language.code].heard
@@ -219,13 +230,11 @@ def _twin(p: State, tokens: list[Token]) -> bool:
         return False  # "The brim is like this; work it twice."
     name = frozenset(w for word in draft.name.lower().replace("_", " ").split() for w in (word, one(word), f"{word}s"))
     several = {f"{one(word)}s" for word in name}  # "Repeat for the other legs" are more than two
+    begin = _begin(p.source.text.text, tokens[0].start)
     raw = [
-        t
-        for row in p.rows[p.row_at : p.row_at + 2]
-        for t in row.tokens
-        if tokens[0].start <= t.start and t.end <= tokens[-1].end
+        t for row in p.rows[p.row_at : p.row_at + 2] for t in row.tokens if begin <= t.start and t.end <= tokens[-1].end
     ]
-    span = Span(tokens[0].start, tokens[-1].end)
+    span = Span(begin, tokens[-1].end)
     if many := copies_of(raw, heard, name):
         draft.copies, draft.copies_span = max(draft.copies, many), span
     elif once_more(raw, heard, name, draft.last) and not any(t.word in several for t in raw):
@@ -237,7 +246,7 @@ def _twin(p: State, tokens: list[Token]) -> bool:
 
 def _made_twice(p: State, tokens: list[Token]) -> bool:
     """Takes "Make another ear.", "Make a second one the same way" for one copy more of the part it names, or else of the one just made."""
-    said = _ANOTHER.match(p.source.text.text, tokens[0].start)
+    said = _ANOTHER.match(p.source.text.text, _begin(p.source.text.text, tokens[0].start))
     draft = p.parts[-1]
     if said is None or not draft.begun():
         return False
@@ -254,10 +263,18 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
     return True
 
 
+def _begin(text: str, at: int) -> int:
+    """Where the sentence of a token begins: small words before it are no tokens ("Crochet a | second one")."""
+    led = _SMALL.search(text, max(0, text.rfind("\n", 0, at)), at)
+    return led.start(1) if led is not None else at
+
+
+_OTHERS: Final = re.compile(r"\b(?:another|second|2nd|other)\b", re.IGNORECASE)
+_SMALL: Final = re.compile(r"(?:^|[\n.!?;:,)\]])[^\S\n]*((?:[^\W\d_]+[^\S\n]+)+)$")
 _SECOND: Final = re.compile(r"\b(?:second|2nd)\b", re.IGNORECASE)
 _TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,2})\b(?=.*\b(?:using|with|in)\b)")
 _ANOTHER: Final = re.compile(
-    r"(?:make|work|crochet)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"
+    r"(?:(?:now|then|and)\s+)*(?:make|work|crochet|do|create)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"
     r"(?:,?\s+(?:(?:exactly|just)\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",
     re.IGNORECASE | re.MULTILINE,
 )

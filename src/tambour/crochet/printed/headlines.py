@@ -9,6 +9,7 @@ from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.notes import MODES, Heading, heading, plain_name
 from tambour.crochet.printed.shades import dyed, shade
@@ -218,3 +219,15 @@ def named_color(p: State, tokens: list[Token]) -> bool:
             p.palette.given.setdefault(tokens[k].word, shade[0])
             found = True
     return found
+
+
+def dyed_first(p: State, tokens: list[Token]) -> int:
+    """Where a sentence's first clause ends that only changes the yarn, before one that hands do: "Change color to white, fill the body"; 0 where
+    it does not."""
+    cut = next((k for k, t in enumerate(tokens[:6]) if t.word in (",", "then") or t.value == "and"), 0)
+    if not cut or tokens[0].value != "color" or p.mode in ("materials", "abbreviations"):
+        return 0
+    rest = [t for t in tokens[cut + 1 :] if t.word not in ("then", "now") and t.value != "and"]
+    hue = p.palette.color(Cursor(tokens, 1)) or p.palette.letter(Cursor(tokens, 1), 1)
+    handed = bool(rest) and (rest[0].value in ("stuff", "eyes", "marker", "close") or by_hand(rest))
+    return cut if handed and hue is not None and 1 + hue[1] == cut else 0

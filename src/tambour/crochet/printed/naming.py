@@ -174,6 +174,32 @@ def heading_above(text: str, low: int, high: int) -> Heading | None:
     return None
 
 
+_PUTS: Final = re.compile(
+    r"\b(?:sew|sewn|attach\w*|join\w*|embroider\w*|place|stuff\w*|fasten|pin|glue|insert|between)\b", re.IGNORECASE
+)
+_NEARER: Final = 2  # lines above a first round
+_MANY: Final = 8  # copies that a sentence says by the way
+
+
+def spoken_of(text: str, low: int, high: int) -> Heading | None:
+    """The heading that a sentence right above the work at ``high`` is, since it names one kind of part: "And what would a cat be without paws?",
+    "Four little paws come next"."""
+    begin = text.rfind("\n", 0, high) + 1
+    lines = [m for m in re.finditer(r"[^\n]+", text[low:begin]) if m[0].strip()][-_NEARER:]
+    for line in reversed(lines):
+        words = [w for w in re.finditer(r"[^\W\d_]+", line[0]) if kind_of(one(w[0].lower()))]
+        if len({one(w[0].lower()) for w in words}) != 1 or _PUTS.search(line[0]):
+            continue
+        said = {number(w) for w in re.findall(rf"\b({NUMBER})\b", line[0].lower())}
+        many = said.pop() if len(said) == 1 else 1
+        noun, at = words[0][0], low + line.start()
+        plural = one(noun.lower()) != noun.lower()
+        span = Span(at + len(line[0]) - len(line[0].lstrip()), at + len(line[0].rstrip()))
+        copies = many if plural and 1 < many <= _MANY else 1
+        return Heading(noun.capitalize(), span, copies, span if copies > 1 else None, True, True)
+    return None
+
+
 _EACH_SIDE: Final = re.compile(
     r"[\s:]*[(\[]?\s*make\s+(?:1|one)\s+(?:on|for|at)\s+(?:each|either)\s+side", re.IGNORECASE
 )

@@ -19,6 +19,7 @@ from tambour.crochet.printed.beyond import (
     edging,
     marked,
     more_copies,
+    once_again,
     repeats_for,
     twin_made,
 )
@@ -31,7 +32,7 @@ from tambour.crochet.printed.doings import works as works_at
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
-from tambour.crochet.printed.headlines import dyed_only
+from tambour.crochet.printed.headlines import dyed_first, dyed_only
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.hung import joined_in_loops
 from tambour.crochet.printed.items import EVENED, bare_count, evens, flat, lifts, lifts_alone, rings, smooths, works
@@ -118,6 +119,14 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
 
 def sentence_read(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
+    if cut := dyed_first(p, tokens):
+        dyed = sentence_read(p, tokens[:cut])
+        rest = tokens[cut + 1 :]
+        while rest and (rest[0].word in ("then", "now", ",") or rest[0].value == "and"):
+            rest = rest[1:]
+        if rest and not sentence_read(p, rest):
+            left_over(p, rest)
+        return dyed
     tokens = turned(tokens, TERMS[p.language.code].heard.said.get("through", ()))
     if laid(p, tokens):
         return True
@@ -180,6 +189,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         if foretells or (not stuffs and remark(p.source.text.text, tokens)):
             p.passed.append(note)
             return True  # "Note: Hdc in rnds below will cause Motif to cup"
+    if p.parts and p.mode not in ("materials", "abbreviations") and once_again(p, tokens):
+        return True
     close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
     if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"
         taken = sentence_read(p, tokens[: close + 1])

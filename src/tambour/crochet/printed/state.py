@@ -23,7 +23,7 @@ from tambour.crochet.printed.idioms import plainly
 from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.legend import explained
 from tambour.crochet.printed.moved import Moved
-from tambour.crochet.printed.naming import heading_above, made_of
+from tambour.crochet.printed.naming import heading_above, made_of, spoken_of
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.numerals import numerals
 from tambour.crochet.printed.parts import Draft
@@ -228,6 +228,9 @@ class State:
             rounds = self.parts[-1].lines if self.parts else []
             ended = next((line.span.start for line in reversed(rounds) if line.in_round), 0)
             found = heading_above(self.source.text.text, ended, span.start)
+            if found is None and self.parts and (found := spoken_of(self.source.text.text, self._end(), span.start)):
+                said = f"this is taken for the heading of {found.name}"
+                self.source.doubt(said, f"say it as a heading: {found.name}", found.span)
         name = found.name if found is not None else ""
         if not name and self.parts:
             name = f"part_{len(self.parts) + 1}"
@@ -251,6 +254,10 @@ class State:
             setattr(draft, key, value)
         self.early = {}
         self.parts.append(draft)
+
+    def _end(self) -> int:
+        """Where the last line of the parts so far ends."""
+        return max((line.span.end for draft in self.parts for line in draft.lines), default=0)
 
     def _paired(self, draft: Draft, found: Heading, guess: bool) -> None:
         """How many are made of a part whose heading says nothing of it, where one over it or a list of yarns does."""

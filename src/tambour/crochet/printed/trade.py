@@ -110,7 +110,7 @@ class Trade(Dyes):
         ):
             pass
         elif word in ("in", "over") and (after := c.look()) is not None and after.word in ("these", "those"):
-            self.to_separator()  # "Working in these 33 sts only"
+            self.by_the_way(c.at - 1)  # "Working in these 33 sts only"
         elif word in ("in", "over") and (
             c.key("bumps", "foundation")
             or (after := c.look()) is None
@@ -118,7 +118,9 @@ class Trade(Dyes):
             or (c.key("round", "row") and c.whole(1) is None)
             or c.mark(",", ":", ";", ".")
         ):
-            self.to_separator()  # "working in back bumps of foundation ch", "in continuous rounds", "in stripe pattern"
+            self.by_the_way(
+                c.at - 1
+            )  # "working in back bumps of foundation ch", "in continuous rounds", "in stripe pattern"
         elif word in ("in", "over", "each", "next", *_LOOPS):
             if c.key("side"):
                 self.other_side(found)

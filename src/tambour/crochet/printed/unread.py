@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
 from typing import Final
 
@@ -16,6 +17,9 @@ _OTHERWISE: Final = frozenset("reverse reversing reversed mirror mirrored mirror
 _CHANGES: Final = frozenset("change changes changing alternate switch".split())
 
 
+_MORE: Final = re.compile(
+    r"\b(?:(?:other|second|2nd) one|one more)\b(?!\s+(?:is|was|thing|time|round|row|step|tip))", re.IGNORECASE
+)
 _BRIEF: Final = 5  # tokens of a colour that stands alone above the first round: "[All in Red]"
 
 
@@ -53,6 +57,8 @@ def instructs(p: State, tokens: list[Token]) -> bool:
         told = (worked and numbers) or (yarned(tokens) and not begins)
         return p.heading is not None and p.mode == "" and told
     repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as", "twice") and t.word != "like" for t in tokens)
+    if len(tokens) <= _BRIEF and _MORE.search(p.source.text.text, tokens[0].start, tokens[-1].end):
+        return True
     if p.mode == "notes":
         return stitches and numbers
     places = any(t.kind == "key" and t.value in ("next", "around", "skip", "front loops", "back loops") for t in tokens)
