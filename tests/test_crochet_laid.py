@@ -82,3 +82,15 @@ def test_a_set_is_looked_at_from_above_so_that_what_lies_is_seen() -> None:
     from tambour.crochet.page import portrait
 
     assert portrait.stand(_set()) == portrait.OVER
+
+
+def test_toys_that_are_seen_from_the_side_do_not_hide_each_other() -> None:
+    text = "Two worms\n\n" + "".join(
+        f"{word} WORM\nR1: 6 sc in MR (6)\nR2-R20: sc around (6)\n\n" for word in ("LONG", "RED")
+    )
+    piece = make(Text(text, "worms.txt"), CrochetParams(solver="none"), Progress())
+    graph, x, azimuth = piece.built.graph, piece.positions[:, [0, 2, 1]], 0.8  # they lie, their noses ahead
+    x = x + gathered(graph, x, np.ones(len(graph), bool), azimuth)
+    across = x @ np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)])
+    one, other = sorted((across[p.start : p.end].min(), across[p.start : p.end].max()) for p in graph.parts)
+    assert one[1] < other[0]

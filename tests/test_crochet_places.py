@@ -1239,3 +1239,53 @@ def test_assembly_is_heard_as_fifty_people_write_it():
                 if not good:
                     wrong.append(f"{sentence} -> {token}: {at.rounds} {at.end} {at.apart}")
     assert not wrong, "\n".join(wrong)
+
+
+LEGGED = [
+    "Sew three legs to each side of the body.",
+    "Sew the first pair of legs at round 5, the second pair at round 7 and the third pair at round 9.",
+    "Attach three of the legs along each side of the body at rounds 5, 7 and 9.",
+]
+
+
+@pytest.mark.parametrize("said", LEGGED)
+def test_six_legs_are_three_pairs_one_beside_the_other(said):
+    pattern = toy(said, **{"LEGS_(make_6)": TUBE})
+    legs = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("LEGS")]
+    found = [(round(where_is(pattern, r)[0] * 4), round(r.spot.round)) for r in legs]
+    assert len({level for _, level in found}) == 3
+    assert all(a * b < 0 and one == other for (a, one), (b, other) in (found[:2], found[2:4], found[4:]))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Sew the buttons down the front of the body.",
+        "Sew the buttons to the belly, one above the other.",
+        "Place one button at round 5 and one at round 8, in the middle of the front of the body.",
+    ],
+)
+def test_buttons_stand_one_above_the_other(said):
+    pattern = toy(said, **{"BUTTONS_(make_2)": "Rnd 1: 6 sc in MR (6)\nFasten off.\n"})
+    both = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("BUTTONS")]
+    assert len(both) == 2 and {r.spot.part for r in both} == {"BODY"}
+    assert all(abs(where_is(pattern, r)[0]) < 0.3 and where_is(pattern, r)[2] > 0.6 for r in both)
+    assert abs(both[0].spot.round - both[1].spot.round) >= 2
+
+
+@pytest.mark.parametrize(
+    "said, words, rounds",
+    [
+        ("sew the crest along the top, from front to back", {"top"}, None),
+        ("sew the pocket over rounds 12-15, leaving the top open", set(), (12.0, 15.0, False)),
+        ("sew the pocket to the tummy along the sides and bottom", set(), None),
+        ("put one wing on the right and one wing on the left", {"sides"}, None),
+        ("pin the tail on the opposite side from the beak at r17", {"back"}, (17.0, 17.0, False)),
+    ],
+)
+def test_how_a_piece_runs_is_no_place(said, words, rounds):
+    place = where(said)
+    assert (set(place.words) & {"top", "bottom", "front", "back", "left", "right", "sides"}, place.rounds) == (
+        words,
+        rounds,
+    )

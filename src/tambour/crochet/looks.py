@@ -38,8 +38,9 @@ def yarn(piece: Plush, *, detail: str | None = None) -> Mesh:
     return joined([worked, *face]) if face else worked
 
 
-def toy(piece: Plush, *, detail: str | None = None) -> Mesh:
-    """The piece in yarn as pictures show it: only the parts that are :func:`in_sight`; detail : else as fits its size."""
+def toy(piece: Plush, *, detail: str | None = None, azimuth: float = 0.0) -> Mesh:
+    """The piece in yarn as pictures show it: only the parts that are :func:`in_sight`; detail : else as fits its size;
+    azimuth : of who looks, radians."""
     import numpy as np
 
     from tambour.core.paths import Paths
@@ -61,7 +62,7 @@ def toy(piece: Plush, *, detail: str | None = None) -> Mesh:
     for k in parts:
         first, last = whole(graph, k)
         wanted[first:last] = True
-    shift = gathered(graph, piece.positions, wanted)
+    shift = gathered(graph, piece.positions, wanted, azimuth)
     positions = piece.positions + shift
     ends, stitch = led.paths.offsets, led.point_data["stitch"]
     keep = np.flatnonzero(np.minimum.reduceat(wanted[stitch], ends[:-1]))

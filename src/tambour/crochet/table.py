@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -105,11 +106,16 @@ def _mouth(spots: Spots, x: Array, part: int) -> Array | None:
     return np.asarray(out / length(out)) if float(length(out)) > DEEP * size else None
 
 
-def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
+def gathered(graph: StitchGraph, x: Array, wanted: Array, azimuth: float = 0.0) -> Array:
     """How far (N, 3), mm, to move every node so that the toys in sight stand together as for one photograph.
 
-    Up to three stand in a row, more in several, the higher ones behind. wanted : (P,) which parts are in sight
+    Up to three stand in a row, more in several, the higher ones behind. wanted : (N,) which nodes are in sight; azimuth : of
+    who looks, radians: the rows run from that one's left to the right
     """
+    if azimuth:
+        c, s = math.cos(azimuth), math.sin(azimuth)
+        seen = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+        return turned(gathered(graph, turned(x, seen), wanted), seen.T)
     label, shift = clusters(graph), np.zeros_like(x)
     groups = [np.flatnonzero((label == k) & wanted) for k in range(int(label.max(initial=-1)) + 1)]
     groups = sorted((nodes for nodes in groups if len(nodes)), key=lambda nodes: -float(np.ptp(x[nodes, 1])))

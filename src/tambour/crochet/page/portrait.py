@@ -70,7 +70,8 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
     from tambour.render.photo import picture
     from tambour.render.tables import TABLES
 
-    (azimuth, elevation), made, cast = stand(piece), toy(piece, detail=detail), toy(piece, detail="low")
+    azimuth, elevation = stand(piece)
+    made, cast = toy(piece, detail=detail, azimuth=azimuth), toy(piece, detail="low", azimuth=azimuth)
     if sheet(piece):
         azimuth, elevation = ABOVE
         made, cast = laid(made), laid(cast)

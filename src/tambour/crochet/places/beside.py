@@ -14,7 +14,7 @@ from tambour.crochet.language.finishes import Spot
 from tambour.crochet.places.hear import Copy
 from tambour.crochet.places.room import Room
 from tambour.crochet.places.said import Where
-from tambour.crochet.places.stand import Host
+from tambour.crochet.places.stand import Host, numbers_of
 from tambour.crochet.places.toy import Toy
 from tambour.crochet.places.usual import Way
 
@@ -29,6 +29,12 @@ _LEANS: Final = 0.5
 """What leans more than this, as a cosine, has neither top nor bottom."""
 _NOSE_FIRST: Final = -0.7
 """A head that is worked from its nose runs back from it by so much, as a cosine."""
+# From which end; "all": from the top of a piece, whatever of it is its body.
+_RING: Final = ("magic ring", "starting ring", "beginning")
+_FACED: Final = ("nose", "snout", "tip of the nose")
+"""Ends from which rounds are counted, whatever way they look."""
+_JUST: Final = 0.18
+"""Just above a closed base is so much of the rounds up."""
 _LIKE: Final = {"snout": "muzzle", "smile": "mouth", "brim": "hat", "cheek": "cheeks"}
 
 
@@ -126,14 +132,22 @@ class Beside:
         if at.end is None:
             return at
         end, many, mm = at.end
+        if end in _FACED:
+            if abs(float(host.axis[1])) >= _LEANS:
+                return replace(at, end=None)
+            end = "beginning" if float(host.axis[2]) < 0.0 else "far end"
+        if end in ("all", *_RING) and host.low > (whole := numbers_of(self.stand.spots, host.part))[0]:
+            host = Host(self.stand, host.name, *whole)  # rounds are counted from the end of all of it
         first, last = float(host.levels[0][1][:, 1].mean()), float(host.levels[-1][1][:, 1].mean())
-        if end not in ("magic ring", "beginning") and abs(float(host.axis[1])) < _LEANS:
+        if end not in (*_RING, "far end") and abs(float(host.axis[1])) < _LEANS:
             return replace(at, end=None)  # what lies has no round at its top
         below = end in ("bottom", "base", "lower edge", "underside")
         below = below or (end == "neck" and any(host.name == m.name and m.kind == "head" for m in self.work.parts))
-        begun = end in ("magic ring", "beginning") or (first < last) == below
-        steps = many or (1.0 if mm is None else max(1.0, round(mm / self.work.stitch)))
+        begun = end in _RING or (end != "far end" and (first < last) == below)
         rim = len(self.stand.spots.rim(host.part)) > 0
+        shut = not rim and end in ("bottom", "base", "underside")  # its very end would be below, and no side of it
+        near = max(1.0, round(_JUST * len(host.levels))) if shut else 1.0
+        steps = many or (near if mm is None else max(1.0, round(mm / self.work.stitch)))
         level = host.low - 1.0 + steps if begun else host.high + (0.0 if rim else 1.0) - steps
         level = min(max(level, float(host.low)), float(host.high))
         return replace(at, rounds=(level, level, False), end=None)
@@ -177,6 +191,12 @@ class Beside:
                 return host.ahead(middle[0], middle[1])
             if relation in SIDE and sign:
                 return _around(host.box[0], own, sign * (steps or half_size + 0.8))
+            if relation in _LEVEL and "top" in at.words:
+                continue  # on top, and only as far to the side as that is
+            if relation in ("back from", "behind") and abs(float(host.axis[1])) < _LEANS:
+                there = host.towards(way.direction)
+                there[2] = min(float(there[2]), float(middle[2]) - (steps or half_size + 0.8))
+                return np.asarray(there)
             if relation in _LEVEL or relation in ("back from", "behind"):
                 there = host.towards(way.direction)
                 there[1] = middle[1]

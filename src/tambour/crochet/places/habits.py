@@ -66,6 +66,48 @@ _PLAIN: Final[tuple[tuple[str, str], ...]] = (
     (rf"\b({QUANTITY})\s*{ST}\s+(?:away\s+)?from (?:one another|each other|the other)\b", r"\1 stitches apart"),
 )
 """What is said → how it is read."""
+_SIDE: Final = r"(?:on|at|to)\s+(?:the\s+|its\s+|his\s+|her\s+)?(?:left|right)(?:[- ]?hand)?(?:\s+side)?"
+_OWN_EDGES: Final = r"(?:sides?|bottom|base|lower\s+edge|top)"
+_ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
+    # one to each side, said of each
+    (
+        rf"\bone(\s+\w+)?\s+{_SIDE},?\s+(?:and\s+)?(?:the\s+)?(?:one|other|another|second)(?:\s+one)?(?:\s+\w+)?\s+{_SIDE}\b",
+        r"one\1 on each side",
+    ),
+    (
+        r"\bon\s+the\s+(?:left\s+and\s+(?:on\s+)?(?:the\s+)?right|right\s+and\s+(?:on\s+)?(?:the\s+)?left)\b",
+        "on each side",
+    ),
+    (
+        r"\b(\w+)\s+on\s+the\s+(?:left|right)(?:\s+side)?,?\s+(?:and\s+)?\1\s+on\s+the\s+(?:left|right)(?:\s+side)?\b",
+        r"\1 on each side",
+    ),
+    # how a piece runs, and what of its own edge is sewn, is no place
+    (
+        r"\b(?:(?:running|going|lying|placed)\s+)?(?:lengthwise\s+)?(?:from\s+)?(?:the\s+)?front\s+to\s+(?:the\s+)?back\b",
+        "lengthwise",
+    ),
+    (r"\bfront-to-back\b|\bfrom back to front\b", "lengthwise"),
+    (
+        rf"\bleaving\s+(?:the\s+|its\s+|their\s+)?(?:{_OWN_EDGES}|upper\s+edge)(?:\s+(?:edge|side|end))?\s+(?:open|free|loose|unsewn|unattached)\b",
+        "",
+    ),
+    (
+        rf"\b(?:along|around|on|at|by)\s+(?:the\s+|its\s+)?(?:{_OWN_EDGES},?\s+and\s+(?:the\s+)?{_OWN_EDGES}|(?:three|3|two|2)\s+(?:of\s+its\s+)?(?:sides|edges))\b(?!\s+of)",
+        "",
+    ),
+    # pairs told one after the other
+    (
+        rf"\b(?:the\s+)?(?:first|front)\s+(?:pair\s+(?:of\s+)?)?(\w+\s+)?(?:at|in|on|to)\s+{_R},?\s*(?:and\s+)?(?:the\s+)?(?:second|middle|next|hind|back)\s+(?:pair\s*(?:of\s+)?)?(?:\w+\s+)?(?:at|in|on|to)\s+{_R}"
+        rf"(?:,?\s*(?:and\s+)?(?:the\s+)?(?:third|hind|back|last|rear)\s+(?:pair\s*(?:of\s+)?)?(?:\w+\s+)?(?:at|in|on|to)\s+{_R})?",
+        lambda m: f"{m[1] or 'legs '}at rounds {', '.join(n for n in m.groups()[1:] if n)} on each side",
+    ),
+    (
+        rf"\bone\s+(\w+\s+)?(?:at|in|on|over)\s+{_R}\s*,?\s*(?:and\s+)?(?:the\s+)?(?:one|other|another)(?:\s+one)?\s+(?:at|in|on|over)\s+{_R}",
+        r"one \1at rounds \2 and \3",
+    ),
+)
+"""What is said of two, or of several pairs, and of how they lie."""
 _TWICE: Final = re.compile(
     rf"\b({QUANTITY})\s*{ST}\s+(?:away\s+|out\s+)?(?:(?:to|on|at)\s+)?(?:either|each|both)\s+sides?\s+(?:of|from)\s+(?:the\s+)?(?:very\s+)?"
     r"(?:middle|cent(?:er|re)|midline)(?:\s+(?:line|front|st(?:itch)?))?\b"
@@ -73,7 +115,7 @@ _TWICE: Final = re.compile(
 """So many to each side of the middle are twice as many apart."""
 _RULES: Final[tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...]] = (
     (_TWICE, lambda m: f"{2 * quantity(m[1]):g} stitches apart"),
-    *((re.compile(said), read) for said, read in _PLAIN),
+    *((re.compile(said), read) for said, read in (*_ALIKE, *_PLAIN)),
 )
 
 

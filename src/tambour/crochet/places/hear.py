@@ -81,9 +81,13 @@ _WHEN: Final = re.compile(
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
-    r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+)*$"
+    r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+)*$"
 )
 """Words before a part that something is only near."""
+_BEHIND: Final = re.compile(r"\b(?:behind|below|beneath|under|underneath)\s+(?:the|his|her|its)\s+$")
+_NEAR_HEAD: Final = re.compile(
+    r"\b(?:behind|below|beneath|under|underneath|next to|near) (?:the |his |her |its )?(?:head|face)\b"
+)
 
 
 @dataclass(frozen=True)
@@ -327,6 +331,7 @@ class Heard:
         hosts = [m for m in hosts if not m.copies[0][0].worn] or hosts
         if not hosts and to:  # "on each side of the wig"
             hosts = [m for m in found if m.start >= to.end() and m.copies[0][0].kind in ("hat", "head", "body")]
+            hosts = [m for m in hosts if not _BEHIND.search(low[: m.start])]
         if to is not None and at.rounds is not None and _OF_IT.search(low[: to.start()]):
             # "the last round of the tail to the body": rounds of what is sewn say nothing of where.
             there = where(low[to.start() :])
@@ -441,12 +446,14 @@ class Heard:
     @staticmethod
     def _region(low: str) -> str:
         """Whether the head or the body of a part that is both is meant."""
+        low = _NEAR_HEAD.sub("", low)
         if re.search(r"\b(?:head|face|forehead)\b", low):
             return "head"
         return (
             "body"
             if re.search(
-                r"\b(?:body|torso|belly|chest|waist|hips?|tunic|shirt|dress|coat|sweater|jacket|vest|apron)\b", low
+                r"\b(?:body|torso|belly|tummy|stomach|chest|waist|hips?|tunic|shirt|dress|coat|sweater|jacket|vest|apron)\b",
+                low,
             )
             else ""
         )

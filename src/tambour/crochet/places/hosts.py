@@ -56,7 +56,9 @@ class Hosts(Likely):
         return False
 
     def _goes_on_head(self, p: Put) -> bool:
-        return p.region == "head" or (p.region != "body" and usual(p.kind, len(p.copies))[0].on == "head")
+        return p.region == "head" or (
+            "button" not in p.copies[0][0].words and p.region != "body" and usual(p.kind, len(p.copies))[0].on == "head"
+        )
 
     def _seat(self, p: Put, puts: list[Put]) -> None:
         """Gives a put its host: what was said, or what such parts are usually on; never what would hide it."""

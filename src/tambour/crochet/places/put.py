@@ -17,6 +17,7 @@ from tambour.crochet.places.held import BESIDE, SPREAD
 from tambour.crochet.places.jointed import Jointer
 from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.places.room import Seam, aside, spread
+from tambour.crochet.places.rowed import in_rows
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
 
@@ -43,6 +44,8 @@ _HANGS: Final = re.compile(
 """A piece of which the upper edge is at the round that is said."""
 _BULGES: Final = 0.85
 """How much of its widest round a snout covers of what is behind it."""
+_ON_BACKS: Final = frozenset(("fin", "spike", "shell", "wing"))
+"""What is said to be on the back of an animal that lies."""
 _ASIDE: Final = frozenset(("fin", "arm", "wing", "flipper"))
 """What goes to the sides, and farther back where the eyes are."""
 _OFF_EYES, _BACKWARDS = 0.9, 10
@@ -108,7 +111,11 @@ class Putter(Jointer):
             wanted |= {"front" if made == alike[0] else "hind"} if len(alike) == 2 else frozenset()
         if kind == "spike" and work.of_kind("tail") is not None:
             wanted |= {"tail"}
+        if lies and "back" in put.where.words and kind in _ON_BACKS:  # the back of what lies is on top
+            put = replace(put, where=replace(put.where, words=put.where.words - {"back", "middle"} | {"top"}))
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
+        if kind == "wing" and len(ways) == 2 and "back" in put.where.words and "sides" not in put.where.words:
+            ways = [replace(way, at=(0.45 * math.copysign(1.0, way.at[0]), *way.at[1:])) for way in ways]
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         two = made.copies == 2 and made not in work.layered  # two layers are one thing
         if len(put.copies) == 1 and (two or {"left", "right"} & set(made.words)):
@@ -141,6 +148,10 @@ class Putter(Jointer):
             region = onto[0].kind  # of the cap, and not of the legs
         host = work.host(onto, region)
         put = replace(put, where=self._counted(put.where, host))
+        if (rows := in_rows(put, host, lies, work.text)) is not None:
+            put, ways = rows
+        else:
+            put = replace(put, where=replace(put.where, each=(), stacked=False))
         told = [self._told(way, put.where, len(put.copies)) for way in ways]
         records = self._sewn(put, host, told)
         if not all(self.stand.there(r.spot) for r in records):
@@ -213,7 +224,7 @@ class Putter(Jointer):
     def _sewn(self, put: Put, host: Host, ways: list[Way]) -> list[Placed]:
         """The records of a part's copies, each put on its way."""
         made = [(c, self._spotted(put, host, way, k)) for k, (c, way) in enumerate(zip(put.copies, ways))]
-        if len(made) == 2 and put.copies[0][0] == put.copies[1][0] and put.where.pair is None:
+        if len(made) == 2 and put.copies[0][0] == put.copies[1][0] and put.where.pair is None and not put.where.stacked:
             made = self._paired(put, host, made)
         if len(made) == 4 and len({c[0] for c, _ in made}) == 1 and not self.work.spots.in_rows[host.part]:
             made = self._evened(host, made)
@@ -250,6 +261,9 @@ class Putter(Jointer):
     def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
         """Where one copy goes."""
         at, direction = put.where, way.direction
+        if at.each:
+            own = at.each[k * len(at.each) // len(put.copies)]
+            at = replace(at, rounds=(own, own, False))
         if (
             at.rounds is not None
             and put.region == "body"

@@ -51,6 +51,12 @@ _TWO: Final = re.compile(
     r"\b(?:between|in|into|at|on|and|&|,)\s+(?:the\s+)?(?:st|sts|stitch|stitches)\s*(?:no\.?|number|#)?\s*(\d+)\b(?:\s*(?:and|&|/|-)\s*(\d+)\b(?!\s*(?:st|(?:and|&)\s*\d)))?"
 )
 """The stitches of two things: "the left eye between stitches 15 and 16, the right one between stitches 22 and 23"."""
+_EACH: Final = re.compile(rf"\b{ROUND}\s?\.?\s*(\d+)((?:\s*(?:,|and|&)+\s*(?:{ROUND}\s?\.?\s*)?\d+(?!\s*(?:st|sc)))+)")
+"""Several rounds, one for each: "at rounds 7, 11 and 15"."""
+_STACKED: Final = re.compile(
+    r"\bone (?:above|below|under|over|beneath) the other\b|\b(?:down|up) (?:the |her |his |its )?(?:\w+ ){0,2}(?:front|cent(?:er|re)|middle|belly|tummy|chest)\b"
+    r"|\bin a (?:vertical |straight )?(?:line|row|column) (?:down|up|along)\b|\bvertical(?:ly)?\b|\bin a (?:vertical|column)\b"
+)
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
 _BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door)"
 _AWAY: Final = re.compile(
@@ -61,14 +67,16 @@ _AWAY: Final = re.compile(
 )
 _FROM_END: Final = re.compile(
     rf"(?:({QUANTITY})\s+{ROUND}|{_LENGTH}|\b(?:just|right|directly|immediately|straight))\s+(?:(?:down|up|away|in|counted|measured)\s+)*"
-    rf"(?:(?:below|beneath|under|underneath|from)\s+(?:the\s+)?(?:very\s+)?(top|crown|neck|head|magic ring|beginning)"
+    rf"(?:(?:below|beneath|under|underneath|from)\s+(?:the\s+)?(?:very\s+)?(top|crown|neck|head|magic ring|starting ring|beginning|nose|snout|tip of the nose)"
     rf"|(?:above|from)\s+(?:the\s+)?(?:very\s+)?(bottom|base|lower edge|underside))\b"
     rf"(?! of (?:the )?(?:{_NO_END})\b)(?:\s+(?:edge|seam|opening))?(?:\s+of\s+(?:the\s+|its\s+)?(?:head|body|neck))?"
 )
 """A height counted from an end of what a part is put on: "4 rounds below the top of the head", "2 cm from the bottom"."""
 _EDGE_AT: Final = re.compile(r"\b(?:top edge of it at|lower edge on) round \d+")
 """Where an edge of what is sewn lies says no side of what it is sewn to."""
-_FACED: Final = r"opposite (?:side )?(?:from |of |to )?(?:the )?(?:face|eyes?|muzzle|snout|nose|front|belly|tummy)"
+_FACED: Final = (
+    r"opposite (?:side )?(?:from |of |to )?(?:the )?(?:face|eyes?|muzzle|snout|nose|beak|bill|mouth|front|belly|tummy)"
+)
 _WHERE: Final[dict[str, str]] = {
     "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|snout|muzzle|beak|nose|face|tail|wings?|fins?|feet|last|first|sts?))",
     "bottom": r"\b(?:bottom|base|underside|beneath the body|under the body|underneath|lower edge|belly side)\b",
@@ -76,7 +84,7 @@ _WHERE: Final[dict[str, str]] = {
     "back": rf"\b(?:{_FACED}|back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
     "sides": rf"\b(?:sides|either side|each side|both sides|(?!{_FACED})opposite sides?|on the sides?|to the side|each other side|one side|side of)\b",
     "left": r"\bleft\b(?! (?:open|over|long|for))",
-    "right": r"\bright\b(?! (?:sides? (?:facing|out|together|of (?:the )?(?:work|fabric))|below|above|under|next|sides))",
+    "right": r"\bright\b(?! (?:sides? (?:facing|out|together|of (?:the )?(?:work|fabric))|below|above|under|next|sides|on|at|in|over|behind|between|beside|near|against))",
     "upper": r"\b(?:upper|shoulders?|high(?:er)?)\b",
     "lower": r"\b(?:lower|hips?|waist|low)\b",
     "middle": r"\b(?:middle|cent(?:er|re)(?:ed|d)?|midline|halfway)\b",
@@ -119,6 +127,7 @@ class Where:
     beside : (relation, thing, so many rounds or stitches away or None); angle : degrees of leaning, None unsaid
     shown : a picture is meant to say it; through : it is crocheted in by so many stitches
     end : (from which end, so many rounds or None, so many mm or None) its height is counted; pair : the stitches of two
+    each : the round of each of several, or of each pair of them; stacked : they stand one above the other
     """
 
     rounds: tuple[float, float, bool] | None = None
@@ -135,6 +144,8 @@ class Where:
     through: int = 0
     end: tuple[str, float | None, float | None] | None = None
     pair: tuple[float, float] | None = None
+    each: tuple[float, ...] = ()
+    stacked: bool = False
 
     @property
     def says(self) -> bool:
@@ -155,9 +166,14 @@ def where(text: str) -> Where:
     if found:
         first, last = float(found[2]), float(found[4] or found[2])
         rounds = (first, last, found[1] == "between" and found[4] is not None)
+    several = _EACH.search(text)
+    each = () if several is None else tuple(float(n) for n in (several[1], *re.findall(r"\d+", several[2])))
+    ranged = several is not None and re.search(r"\b(?:between|from|over)\s+(?:the\s+)?$", text[: several.start()])
+    each = () if ranged or list(each) != sorted(set(each)) else each
     end = None
     if rounds is None and (far := _FROM_END.search(text)) is not None:
-        end = (far[4] or far[5], quantity(far[1]) if far[1] else None, length(far[2], far[3]) if far[2] else None)
+        named = "all" if far[4] == "top" and far[0].endswith("top") else far[4] or far[5]
+        end = (named, quantity(far[1]) if far[1] else None, length(far[2], far[3]) if far[2] else None)
         text = text[: far.start()] + text[far.end() :]
     two = _TWO.findall(text)
     pair = (_mean(two[0]), _mean(two[1])) if len(two) == 2 else None
@@ -191,6 +207,8 @@ def where(text: str) -> Where:
         text,
         end=end,
         pair=pair,
+        each=each,
+        stacked=bool(_STACKED.search(text)),
     )
 
 

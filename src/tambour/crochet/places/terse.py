@@ -23,8 +23,12 @@ _COVERS: Final = re.compile(
     rf"(?:cover|span|reach|stretch|run|take up|sit|lie)s?\s+(?:over\s+|from\s+|across\s+|between\s+|at\s+|on\s+|about\s+)?(?={_ROUND})"
 )
 """A part and the rounds that it covers: "Each ear covers rounds 4 through 8"."""
+_SIDES: Final = (
+    r"(?:(?:upper|lower|cent(?:er|re)|very)\s+)?"
+    r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
+)
 _AT: Final = re.compile(
-    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|(?:front|back|top|bottom|middle)(?=\s*,|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
+    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
 _EYES: Final = re.compile(r"^\W*(?:the\s+)?(?:safety\s+)?eyes?\s+(?=(?:on|at|between|in|over)\b)", re.IGNORECASE)
 
@@ -92,7 +96,7 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     if face.motifs(led["name"]) or words == ["face"]:
         return at, " embroider"
     part = any(w in known or kind_of(w) for w in words)
-    verb = " sew at" if re.match(rf"\s*(?:{_ROUND}|(?:front|back|top|bottom|middle)\b)", low[at:]) else " sew"
+    verb = " sew at" if re.match(rf"\s*(?:{_ROUND}|{_SIDES}\b)", low[at:]) else " sew"
     return (at, verb) if part and _AT.match(low[at:]) else None
 
 
