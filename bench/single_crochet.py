@@ -65,11 +65,11 @@ LEGS = {0: -0.298, 1: -0.187, 2: -0.163, 3: -0.159, 43: 0.187, 44: 0.286, 45: 0.
 # And how far before the fabric (row, w): both legs outside, equally far, all the way up, so that a V is seen from either side;
 # and behind them, hidden, the yarn that comes through the loop to be the next head. Drawn tight alone the left leg sinks in
 # half way up behind the right one, and from the right a row reads as a rope.
-DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45, 8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.06, 28: -0.08, 29: -0.08, 30: -0.02, 31: 0.0, 32: 0.03, 33: 0.09}  # fmt: skip
+DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45, 8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 21: -0.10, 22: -0.02, 23: 0.0, 24: -0.03, 25: -0.06, 26: -0.06, 27: -0.06, 28: 0.03, 29: 0.14, 30: 0.22, 31: 0.18, 32: 0.075, 33: 0.09}  # fmt: skip
 
 # And how high its head begins (row, v): down in the gap between the stitches worked over it, and, above, deep in it. Drawn tight
 # alone it stands up there before them: where the colour changes the old one has teeth.
-LOW = {0: 0.73, 1: 0.58, 2: 0.38, 3: 0.2, 43: 0.86, 44: 0.79, 45: 0.77, 27: 0.93, 28: 0.98, 29: 1.09, 30: 1.11, 31: 1.17, 32: 1.25, 39: 1.24, 40: 1.18}  # fmt: skip
+LOW = {0: 0.73, 1: 0.58, 2: 0.38, 3: 0.2, 43: 0.86, 44: 0.79, 45: 0.77, 27: 0.93, 28: 1.02, 29: 1.09, 30: 1.09, 31: 1.14, 32: 1.22, 39: 1.24, 40: 1.18}  # fmt: skip
 
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:

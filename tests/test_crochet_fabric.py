@@ -570,17 +570,19 @@ def test_the_heads_at_an_edge_are_links_of_a_chain(text: str) -> None:
     assert len(edge) >= 10 and np.median(edge) > 1.4 * np.median(inside)
 
 
-def test_a_head_that_is_worked_over_lies_deep_between_the_stitches_above(
+def test_a_head_that_is_worked_over_lies_low_as_a_bar_between_the_stitches_above(
     striped: tuple[StitchGraph, np.ndarray],
 ) -> None:
-    """It stood up between them, as thick as all the yarn: where the colour changed the old one had teeth."""
+    """It stood up between them, as thick as all the yarn: where the colour changed the old one had teeth. Then it lay so deep there
+    that one saw holes with hairs in them, and stitches that nothing linked."""
     graph, x = striped
     made, thick = lead.way(graph), fabric.strands(graph, x)
     over = np.isin(np.arange(len(graph)), graph.anchors)[made.cell] & (graph.kind == graph.kinds.index("sc"))[made.cell]
     between = (made.at[:, 1] > 0.98) & (made.at[:, 0] > 0.45) & (made.at[:, 0] < 0.85) & over
-    assert between.sum() > 60 and made.at[between, 2].max() < 0.08
+    legs = loops.SINGLE[loops.LOOP[0] : loops.LOOP[1], 2].max()
+    assert between.sum() > 60 and 0.15 < made.at[between, 2].max() < legs - 0.1
     assert np.quantile(made.at[between & (made.at[:, 2] > -0.1), 1], 0.9) < 1.2
-    assert thick.radius.min() < 0.72 * np.median(thick.radius)
+    assert thick.radius.min() < 0.78 * np.median(thick.radius)
     edge = lead.way(piece(DISC)[0])
     loose = (edge.cell == edge.cell.max() - 2) & (edge.at[:, 1] > 0.9) & (edge.at[:, 0] > 0.45)
     assert edge.at[loose, 2].max() > 0.2  # a link of the chain along an edge

@@ -30,7 +30,7 @@ def making(piece: Plush, *, frames: int = FRAMES, width: int = WIDTH) -> Iterato
     from tambour.render.raster import picture
 
     not_empty(piece)
-    whole = yarn(piece)
+    whole = yarn(piece, detail=fineness(piece))
     total = len(piece.built.graph)
     count = max(2, min(frames, total))
     for k in range(1, count + 1):
@@ -46,6 +46,15 @@ def making(piece: Plush, *, frames: int = FRAMES, width: int = WIDTH) -> Iterato
         )
 
 
+def fineness(piece: Plush) -> str:
+    """How round the yarn is: a small piece fills its pictures with few stitches, whose tubes would show their six sides. Rounder by its
+    sides alone: all frames show the same strands."""
+    from tambour.crochet.yarn.fabric import NEAR
+
+    small = piece.params.detail == "medium" and len(piece.built.graph) < NEAR
+    return "high" if small else piece.params.detail
+
+
 def upto(piece: Plush, stitches: int) -> Mesh:
     """The piece's yarn when so many of its nodes are worked, over as much of its lining."""
     from dataclasses import replace
@@ -57,7 +66,7 @@ def upto(piece: Plush, stitches: int) -> Mesh:
     return mesh(
         done,
         piece.positions,
-        detail=piece.params.detail,
+        detail=fineness(piece),
         made=worked(piece.yarn, stitches),
         material=piece.params.material,
     )

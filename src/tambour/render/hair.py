@@ -20,6 +20,8 @@ MOST = 0.3
 """Hairs per pixel of a surface at the most: beyond, each stands for several and is as much thicker."""
 WIDEST = 0.9
 """Pixels that a hair is wide at the most for the others that it stands for: an outline is soft, and no saw."""
+OPEN = 1.4
+"""How many hairs show of those that stand where a share of the lights comes to, as so many times that share: in a hollow they lie pressed."""
 DIM = 0.85
 """How dark a hair in the shade may be, as a share of the light that comes from the surface where it stands."""
 STEP = 1.3
@@ -174,6 +176,7 @@ def hairs(
             curl = 2.0 * uniform(key, np.uint64(at + 9)) - 1.0
             # Light where it stands, over the wrapped half of the world that its root sees.
             light[:] = 0.0
+            asked, came = 0.0, 0.0
             ox, oy, oz = p[0] + 0.35 * long * n[0], p[1] + 0.35 * long * n[1], p[2] + 0.35 * long * n[2]
             first = int(uniform(key, np.uint64(at + 10)) * stride)
             for q in range(first, lights, stride):
@@ -181,6 +184,7 @@ def hairs(
                 facing = (n[0] * lx + n[1] * ly + n[2] * lz + 0.5) / 1.5
                 if facing <= 0.0:
                     continue
+                asked += facing
                 off = 1.5 * texel[q]
                 if (
                     seen(
@@ -189,12 +193,15 @@ def hairs(
                     == 0.0
                 ):
                     continue
+                came += facing
                 along = d[0] * lx + d[1] * ly + d[2] * lz
                 # A thread of glass and a little milk: lit across, and through when the light is behind it.
                 through = max(0.0, (lx * px + ly * py + lz * pz) / away)
                 gain = facing * (0.62 + 0.5 * sqrt(max(0.0, 1.0 - along * along)) + 0.9 * through * through * through)
                 for k in range(3):
                     light[k] += stride * gain * weight[q, k]
+            if uniform(key, np.uint64(at + 12)) * asked > OPEN * came:
+                continue
             tone = 0.82 + 0.36 * uniform(key, np.uint64(at + 11))
             row, column = i // samples, j // samples
             for k in range(3):

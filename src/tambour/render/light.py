@@ -9,6 +9,7 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import cos, pi, sin, sqrt
+from typing import Final
 
 import numpy as np
 
@@ -17,8 +18,9 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.render.cover import cover, turn
 
-GAP, TOUCHED = 0.009, 0.8
-"""How high a gap under a thing is, in its sizes, that a third as much light gets into; what part of it is kept out where it stands."""
+TOUCHES: Final = ((0.009, 0.8, 0.7), (0.055, 0.5, 0.5))
+"""How high a gap under a thing is, in its sizes, that a third as much light gets into; what part of it is kept out where it stands; how
+far that reaches beside it, in gaps. Where it touches, and close above: without the second what stands on few places hovers."""
 GOLDEN = pi * (3 - sqrt(5))
 
 
@@ -258,14 +260,16 @@ def touched(share: Array, plot: Array, points: Array, size: float) -> tuple[Arra
     step = 0.5 * float(plot[2])
     plot = np.array([plot[0], plot[1], step])
     height = points[:, 1] - points[:, 1].min() if len(points) else np.zeros(0)
-    deep = GAP * size
-    low = np.flatnonzero(height < 4.0 * deep)
-    row, column = (((points[low, k] - plot[m]) / step).astype(np.int64) for k, m in ((2, 1), (0, 0)))
-    inside = (row >= 0) & (column >= 0) & (row < len(fine)) & (column < len(fine))
-    gap = np.full(fine.shape[:2], np.inf)
-    np.minimum.at(gap, (row[inside], column[inside]), height[low[inside]] / deep)
-    near = gaussian_filter(np.exp(-minimum_filter(gap, 3)), 0.7 * deep / step)
-    return fine * (1.0 - TOUCHED * near)[..., None], plot
+    for share_of, kept, beside in TOUCHES:
+        deep = share_of * size
+        low = np.flatnonzero(height < 4.0 * deep)
+        row, column = (((points[low, k] - plot[m]) / step).astype(np.int64) for k, m in ((2, 1), (0, 0)))
+        inside = (row >= 0) & (column >= 0) & (row < len(fine)) & (column < len(fine))
+        gap = np.full(fine.shape[:2], np.inf)
+        np.minimum.at(gap, (row[inside], column[inside]), height[low[inside]] / deep)
+        near = gaussian_filter(np.exp(-minimum_filter(gap, 3)), beside * deep / step)
+        fine = fine * (1.0 - kept * near)[..., None]
+    return fine, plot
 
 
 def floor_light(lights: Lights, low: Array, high: Array, cells: int = 160, taps: int = 8) -> tuple[Array, Array]:

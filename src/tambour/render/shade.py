@@ -16,7 +16,8 @@ from tambour.render.light import seen
 FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
-SOFT = 0.04  # how round the bottom of the groove between plies is
+TILES = 2.0  # of fibres to a turn of the twist: fibres are short, however long a turn is
+SOFT = 0.09  # how round the bottom of the groove between plies is
 
 
 @kernel
@@ -200,13 +201,13 @@ def shade(
                                 wide = len(fleece)
                                 fine = min(1.0, 2.0 * pi * radius / wide / 0.5)
                                 r_ = floor(wide * (around_at - floor(around_at))) % wide
-                                c_ = floor(wide * (along_at - floor(along_at))) % wide
+                                c_ = floor(wide * (TILES * along_at - floor(TILES * along_at))) % wide
                                 tone_of = fleece[r_, c_, 0]
                                 lift = fine * fibre / (2.0 * pi * around)
                                 tx_, ty_, tz_ = (
-                                    (ub - ua) * bx + (uc - ua) * cx,
-                                    (ub - ua) * by + (uc - ua) * cy,
-                                    (ub - ua) * bz + (uc - ua) * cz,
+                                    TILES * ((ub - ua) * bx + (uc - ua) * cx),
+                                    TILES * ((ub - ua) * by + (uc - ua) * cy),
+                                    TILES * ((ub - ua) * bz + (uc - ua) * cz),
                                 )
                                 n[0] -= lift * (fleece[r_, c_, 1] * wx + fleece[r_, c_, 2] * tx_)
                                 n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)

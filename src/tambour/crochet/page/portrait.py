@@ -81,8 +81,9 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
         deep = sagging(piece)
         made, cast = pressed(made, deep), pressed(cast, deep)
     on = table(piece)
-    if staged:
-        asked["beside"] = beside(piece, made, azimuth, TABLES[on].side, sheet(piece) or lies(piece))
+    # Beside what lies flat a ball would be as sharp as that, cut by the picture's edge.
+    if staged and not (sheet(piece) or lies(piece)):
+        asked["beside"] = beside(piece, made, azimuth, TABLES[on].side)
     return picture(made, azimuth=azimuth, elevation=elevation, table=on, cast=cast, **asked)
 
 

@@ -90,10 +90,10 @@ def _core(middle: Array, size: float, color: Array) -> Mesh:
     )
 
 
-def beside(piece: Plush, shown: Mesh, azimuth: float, side: float, flat: bool) -> Mesh | None:
+def beside(piece: Plush, shown: Mesh, azimuth: float, side: float) -> Mesh | None:
     """Two balls of the piece's yarn on the table behind it; None for what has no yarn.
 
-    shown : the piece as it stands; azimuth : of who looks; side : where the window is, radians to the left of that; flat : whether it lies there
+    shown : the piece as it stands; azimuth : of who looks; side : where the window is, radians to the left of that
     """
     from tambour.crochet.finish.features import joined
     from tambour.crochet.yarn.fibres import KINDS
@@ -110,16 +110,10 @@ def beside(piece: Plush, shown: Mesh, azimuth: float, side: float, flat: bool) -
     colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
     order = np.argsort(-count, kind="stable")
     second = colors[order[1]] if len(order) > 1 else np.array(PLAIN)
-    if flat:
-        spots = [
-            (0.62 * towards * wide, deep + 1.0 * size),
-            (-1.15 * towards * wide - 0.6 * size, 0.85 * deep + 0.9 * size),
-        ]
-    else:
-        spots = [
-            (towards * (0.62 * wide + 0.8 * size), deep + 0.30 * large + size),
-            (-towards * (0.80 * wide + 1.1 * size), deep + 0.62 * large + size),
-        ]
+    spots = [
+        (towards * (0.62 * wide + 0.8 * size), deep + 0.30 * large + size),
+        (-towards * (0.80 * wide + 1.1 * size), deep + 0.62 * large + size),
+    ]
     surface, thick = KINDS[piece.params.material].surface, max(float(piece.yarn.radius.max()), THINNEST * size)
     made = []
     for number, ((across, back), color) in enumerate(zip(spots, (colors[order[0]], second))):

@@ -44,7 +44,7 @@ EASED = 7
 STEP = 0.75
 """How far down the last of them comes, of its height."""
 
-DRAWN, BEYOND = 0.55, 0.3
+DRAWN, BEYOND = 0.7, 0.15
 """How far the chains that turn a row are drawn in towards its first stitch, as a share of how far they stand out; how far, in
 widths, they still do at the most."""
 DOMES, DOME = (0.28, 0.45), 2.4
@@ -53,6 +53,8 @@ STOUT = 24
 """Parts of fewer stitches around are limbs, whose ends are round by themselves."""
 ARCHED = 0.5
 """How high an arch of chains rises at a corner, as a share of how high it could."""
+SUNK = np.array([0.0, 0.45, 0.25])
+"""How far down and behind the chain lies that lifts a joined round."""
 LAST = 0.35
 """How far the last stitch of all is drawn in towards the one before it, as a share of how far it is from it."""
 
@@ -195,6 +197,17 @@ def arched(graph: StitchGraph, x: Array, role: Array) -> Array:
         t = (np.arange(many) + 1.0)[:, None] / (many + 1)
         made[first:last] = x[a] + t * across + ARCHED * slack**0.5 * 2.0 * t * (1.0 - t) * out / size
     return made
+
+
+def lowered(graph: StitchGraph, role: Array, start: Array, at: Array) -> None:
+    """Draw the chain that lifts a joined round, where nothing is worked into it, down behind the round's first stitch: at its height it
+    would hang into the next round, a drop of the old colour."""
+    over = np.zeros(len(graph), np.bool_)
+    over[graph.anchors] = True
+    joined = graph.edges[graph.edge_kind == JOIN][:, 0]
+    for i in (np.unique(joined) + 1).tolist():
+        if i < len(graph) and role[i] == CHAINED and not over[i] and graph.part[i] == graph.part[i - 1]:
+            at[int(start[i]) : int(start[i + 1])] -= SUNK
 
 
 def tightened(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:

@@ -27,10 +27,12 @@ OUT = 0.55
 """What of a loop stitch lies further out than this, in widths, hangs."""
 PRESSED = 0.26
 """How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
-SQUEEZED = 0.3
+SQUEEZED = 0.15
 """How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
+FRAYED = 0.6
+"""What is left of that at its very end, where its fibres are of all lengths."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
 ERECT = 1.2
@@ -45,7 +47,7 @@ LOOKS = 16
 LONGEST = 5.0
 """Segments are shorter than this, in radii, where strands are pushed apart: one long one makes pairs dear to find."""
 
-_DETAIL = {"low": (1, 1.0), "medium": (2, 0.3), "high": (3, 0.03)}
+_DETAIL = {"low": (1, 0.75), "medium": (2, 0.3), "high": (3, 0.03)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
 
 
@@ -108,16 +110,18 @@ def strands(
     wide = np.where(ring, 1.0, _pressed(led.at))
     wide *= _fuller(led, graph) * _squeezed(led, graph)
     wide[hung & np.isin(graph.kind[led.cell], _named(graph, "fur"))] = OPENED
+    for last in (led.ends[:-1], led.ends[1:] - 1):
+        wide[last[wide[last] == OPENED]] *= FRAYED
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
     coords, ends, of = _thinner(coords, ends, of, min(stray, 0.3) * radius)
     coords, ends, again = _dense(coords, ends, LONGEST * radius)
-    of = of[again]
+    of = _between(of, again)
     # What is drawn is what has its room: nothing is rounded or left out after this, but in low detail.
     clear(coords, ends, 2 * radius, looks=LOOKS)
     if stray > 0.3:
         coords, ends, of = _thinner(coords, ends, of, stray * radius)
-    stitch, wide = led.cell[of], wide[of]
+    stitch, wide = led.cell[of.astype(np.int64)], _between(wide, of)
     return Strands(
         Paths(coords, ends),
         radius * bloom * wide,
@@ -207,13 +211,18 @@ def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float)
 
 
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:
-    """Polylines with every segment in ``pieces``, along smooth curves through their points; and the point before each."""
+    """Polylines with every segment in ``pieces``, along smooth curves through their points; and which point each is, with its share of the next."""
     lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
     later = np.concatenate([[0], np.cumsum(lengths)])
     fine = np.zeros((int(later[-1]), 3))
     smooth(coords, ends, pieces, fine)
     inner = np.arange(len(fine)) - np.repeat(later[:-1], lengths)
-    return fine, later, np.repeat(ends[:-1], lengths) + inner // pieces
+    return fine, later, np.repeat(ends[:-1], lengths) + inner / pieces
+
+
+def _between(values: Array, at: Array) -> Array:
+    """Values of points, straight between them: what is as thick as the point before it goes in steps, each with its crease."""
+    return np.asarray(np.interp(at, np.arange(len(values)), values)) if len(values) else np.zeros(len(at))
 
 
 def _named(graph: StitchGraph, kind: str) -> list[int]:
@@ -249,7 +258,7 @@ def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
 
 
 def _dense(coords: Array, ends: Array, longest: float) -> tuple[Array, Array, Array]:
-    """Polylines without segments over ``longest``, for contact: those that are longer are split evenly; and the point before each."""
+    """Polylines without segments over ``longest``: those that are longer are split evenly; and which point each is, as of :func:`_rounder`."""
     step = np.zeros(len(coords))
     step[:-1] = length(np.diff(coords, axis=0))
     step[ends[1:] - 1] = 0.0
@@ -258,7 +267,7 @@ def _dense(coords: Array, ends: Array, longest: float) -> tuple[Array, Array, Ar
     of = np.repeat(np.arange(len(coords)), times)
     part = ((np.arange(len(of)) - begin[of]) / times[of])[:, None]
     after = np.minimum(of + 1, len(coords) - 1)
-    return (1 - part) * coords[of] + part * coords[after], begin[ends], of
+    return (1 - part) * coords[of] + part * coords[after], begin[ends], of + part[:, 0]
 
 
 def _spun(made: Strands) -> Strands:
@@ -280,6 +289,11 @@ WANDER = 0.09
 """Yarn is twisted more and less along its way, by so many turns."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
+RINGED = 0.4
+"""How far apart, in radii drawn, the rings of such an outline lie."""
+LAY = 11.0
+"""Radii along which plies wind once about the yarn: they lie 30 degrees to its way. Steeper, one leg of a V shows them lying
+along it and the other across it, and no two legs are alike."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
 UNEVEN, DRIFT, HELD = 0.042, 0.115, 6
@@ -300,13 +314,18 @@ def mesh(
     if detail in ("near", "photo"):
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
-        data = {name: values[of] for name, values in made.point_data.items()}
+        data = {name: values[of.astype(np.int64)] for name, values in made.point_data.items()}
         # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
-        made = _spun(replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data))
+        made = _spun(replace(made, paths=Paths(coords, ends), radius=_between(made.radius, of), point_data=data))
     if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
-        yarn = sweep(made, sides=18, plies=kind.plies, groove=0.12, wander=WANDER, material=kind.surface)
+        # As many rings as its plies ask for: with fewer their lobes are cut to facets where the yarn runs straight.
+        coords, ends, of = _dense(
+            made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
+        )
+        made = replace(made, paths=Paths(coords, ends), radius=_between(made.radius, of), point_data={})
+        yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.12, wander=WANDER, material=kind.surface)
     else:
-        yarn = sweep(made, sides=SIDES[detail], wander=WANDER, material=kind.surface)
+        yarn = sweep(made, sides=SIDES[detail], lay=LAY, wander=WANDER, material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
     every = (yarn, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])

@@ -10,7 +10,7 @@ from tambour.core.check import Array
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
 from tambour.crochet.yarn.course import STANDS
-from tambour.crochet.yarn.edges import braided, slip, slipped, tightened
+from tambour.crochet.yarn.edges import braided, lowered, slip, slipped, tightened
 from tambour.crochet.yarn.ends import (
     AFTER,
     CHAINED,
@@ -47,6 +47,8 @@ _HANGING = np.array(
 )
 SWAY = 0.5
 """How far the lower end of one hanging loop lies beside another's, in widths; their lengths differ by as much."""
+CRIMP = 0.16
+"""How far what hangs bends to and fro, in widths."""
 # The tops of a popcorn's stitches, folded together in front, before its head; out as far as it bulges.
 _CROWN = np.array(
     [
@@ -156,6 +158,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
             head[:, :2] = _WOUND[:, :2]
             head[:, 2] = _WOUND[:, 2] * (graph.direction[i] or 1)
     braided(graph, role, start, at)
+    lowered(graph, role, start, at)
     # A seam draws the heads of a part's last round down to what they are sewn to.
     sewn = np.zeros(n, np.bool_)
     sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
@@ -299,6 +302,9 @@ def _hanging(i: int, k: int, loops: int) -> Array:
     made = _HANGING * (1.0, (1.15 if loops == 1 else 1.5) + 0.35 * longer * SWAY, 1.0)
     made[:, 0] += down * SWAY * aside + (k - 0.5 * (loops - 1)) * 0.3 * down
     made[:, 2] += (0.25 * out + 0.35 * k) * down
+    # Wool remembers how it was wound: no two hang straight.
+    for c, phase in ((0, 3.0 * longer), (2, 3.0 * aside)):
+        made[:, c] += CRIMP * down * np.sin(4.5 * down + phase)
     return made
 
 
