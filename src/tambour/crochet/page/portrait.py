@@ -38,6 +38,8 @@ FLAT: Final = 0.3
 """What is less deep than so much of its width and height is a sheet."""
 PRESSED: Final = 0.025
 """What of its height is pressed flat below a toy on its table."""
+RESTS: Final = 0.15
+"""A leg comes down to the table that ends no higher above it than such a share of the toy's height."""
 FACE: Final = 6
 """A face worked in colours has as many stitches or more."""
 _LONG: Final = 1.25
@@ -70,6 +72,7 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
     from tambour.render.photo import picture
     from tambour.render.tables import TABLES
 
+    piece = rested(piece)
     azimuth, elevation = stand(piece)
     made, cast = toy(piece, detail=detail, azimuth=azimuth), toy(piece, detail="low", azimuth=azimuth)
     if sheet(piece):
@@ -131,6 +134,33 @@ def sagging(piece: Plush) -> float:
         below = (normals[:, 1] < -0.75) & (x[:, 1] < x[:, 1].min() + 0.3 * high)
         deep = max(deep, float(x[below, 1].max() - x[:, 1].min()) if below.any() else 0.0)
     return deep
+
+
+def rested(piece: Plush) -> Plush:
+    """A toy whose legs all rest on the table that one of them stands on: yarn is soft, none of an octopus's hangs in the air."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    graph, x = piece.built.graph, piece.positions
+    if not len(x) or len(graph.parts) < 2 or several(piece):
+        return piece
+    floor, high = float(x[:, 1].min()), float(np.ptp(x[:, 1]))
+    copies: dict[int, list[Array]] = {}
+    for k, part in enumerate(graph.parts):
+        if part.end > part.start:
+            copies.setdefault(piece.built.parts[k].section, []).append(np.arange(part.start, part.end))
+    lower = np.zeros(len(x))
+    for legs in copies.values():
+        lift = [float(x[own, 1].min()) - floor for own in legs]
+        if len(legs) < 2 or min(lift) > 0.5 * graph.stitch_width:
+            continue
+        for own, far in zip(legs, lift):
+            if far <= RESTS * high:
+                # The further down, the more: where it is sewn on it stays.
+                t = (x[own, 1].max() - x[own, 1]) / max(float(np.ptp(x[own, 1])), 1e-9)
+                lower[own] = far * t * t * (3.0 - 2.0 * t)
+    return replace(piece, positions=x - lower[:, None] * np.array([0.0, 1.0, 0.0])) if lower.any() else piece
 
 
 def face_down(piece: Plush) -> bool:
