@@ -29,7 +29,7 @@ def test_they_stand_on_the_table_behind_the_piece_and_to_its_sides(text: str, az
 
     piece = made(text)
     shown = toy(piece)
-    found = skein.beside(piece, shown, azimuth, side, False)
+    found = skein.beside(piece, shown, azimuth, side)
     assert found is not None
     x, own = found.vertices, shown.vertices
     assert abs(x[:, 1].min() - own[:, 1].min()) < 0.05 * float(np.ptp(x[:, 1]))
@@ -49,7 +49,7 @@ def test_they_are_of_the_pieces_yarns_and_the_same_every_time() -> None:
 
     piece = made(BALL)
     shown = toy(piece)
-    found, again = (skein.beside(piece, shown, 0.3, 0.9, False) for _ in range(2))
+    found, again = (skein.beside(piece, shown, 0.3, 0.9) for _ in range(2))
     assert found is not None and again is not None and found.color is not None
     assert found.vertices.tobytes() == again.vertices.tobytes()
     for color in ((0xA0, 0x30, 0x30), (0xE0, 0xD0, 0xB0)):
@@ -62,4 +62,4 @@ def test_what_has_no_yarn_has_none_beside_it() -> None:
 
     piece = made(BALL)
     shown = toy(piece)
-    assert skein.beside(piece, type(shown)(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), 0.0, 0.9, True) is None
+    assert skein.beside(piece, type(shown)(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), 0.0, 0.9) is None

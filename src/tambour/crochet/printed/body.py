@@ -113,7 +113,8 @@ class Walk(Trade):
             or body.stated_span in [t.span for t in said]
             or any(said[0] in left for left in body.left)
         )
-        if words and not works and words[0].kind == "key" and words[0].value in _COURSED[1:]:
+        kept = any(d and said[0].start <= d[0].start < said[-1].end for d in body.doings)
+        if words and not works and not kept and words[0].kind == "key" and words[0].value in _COURSED[1:]:
             body.doings.append(said)
 
     def shuts(self, at: int) -> bool:

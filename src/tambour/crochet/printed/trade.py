@@ -85,6 +85,8 @@ class Trade(Dyes):
             return False
         found.append(Action("fold", said[0].span))
         c.at = begin + len(said)
+        while (token := c.look()) is not None and token.word not in ENDS:
+            c.at += 1  # "(9 sts)" behind it counts what closes it, and is none of the round's
         return True
 
     def key(self, found: list[Item], token: Token) -> None:
@@ -173,7 +175,8 @@ class Trade(Dyes):
             c.at -= 1
             begin = c.at
             self.ending()
-            self.body.doings.append(c.tokens[begin : c.at])
+            if word == "close" and self.body.items:
+                self.body.doings.append(c.tokens[begin : c.at])  # "inc around, pull tight"
         elif word in ("stuff", "marker"):
             self.by_the_way(c.at - 1)
         elif word == "foundation":
