@@ -9,6 +9,7 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern
+from tambour.crochet.page.hers import hers
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.mend import _inside
 
@@ -412,4 +413,37 @@ def test_sentences_that_head_a_part_name_it(words: str, copies: int) -> None:
 @pytest.mark.parametrize("words", ["Change color to white, fill the body.", "Change to white and stuff the body.", "Switch to white, then insert the eyes."])  # fmt: skip
 def test_yarns_change_before_what_hands_do(words: str) -> None:
     pattern = read(Text(EGG.format(f"Rnd 4: sc around (18)\n{words}"), "egg.txt"))
+    assert [h for line in pattern.parts[0].lines for h in hues(line)] == [WHITE]
+
+
+@pytest.mark.parametrize("words", ["Drop red, pick up white.", "White from here.", "Cut red and continue with white."])
+def test_yarns_are_picked_up(words: str) -> None:
+    pattern = read(Text(EGG.format(f"Rnd 4: sc around (18)\n{words}"), "egg.txt"))
+    assert [h for line in pattern.parts[0].lines for h in hues(line)] == [WHITE]
+
+
+@pytest.mark.parametrize("words", ["Switch yarns.", "Back to the first colour.", "Once more.", "Divide the work: 9 stitches for each leg.", "Crochet the opening together."])  # fmt: skip
+def test_what_has_the_work_done_otherwise_is_told(words: str) -> None:
+    assert len(read(Text(EGG.format(f"Rnd 4: sc around (18)\n{words}"), "egg.txt")).unread) == 1
+
+
+TOLD = (
+    "The body\n\nStart with seven in a magic ring{}. Double every stitch, so that's fourteen{}. Then one plain and an increase all the way round, twenty-one{}. "
+    "Four rounds even. One plain and a decrease all round, fourteen. Two rounds plain. Decrease all the way round, seven.\n"
+)
+
+
+@pytest.mark.parametrize("words", ["pull it tight", "put a marker here", "working loosely", "and remember to move the marker", "leaving a tail"])  # fmt: skip
+@pytest.mark.parametrize("place", range(3))
+def test_what_hands_do_while_rounds_are_told_is_kept(words: str, place: int) -> None:
+    pattern = read(Text(TOLD.format(*(f", {words}" if k == place else "" for k in range(3))), "told.txt"))
+    assert made(pattern)["body"] == [7, 14, 21, 21, 21, 21, 21, 14, 14, 14, 7]
+    notes = [pattern.text.text[n.start : n.end] for line in pattern.parts[0].lines for n in line.notes]
+    said = hers(pattern, "us")
+    assert said is not None and any(words.split()[-1] in s for s in (*notes, *said.sentences))
+
+
+@pytest.mark.parametrize("words", ["in white", "with white yarn", "change to white for the last stitch"])
+def test_yarns_of_told_rounds_are_heard(words: str) -> None:
+    pattern = read(Text(TOLD.format("", "", f", {words}"), "told.txt"))
     assert [h for line in pattern.parts[0].lines for h in hues(line)] == [WHITE]

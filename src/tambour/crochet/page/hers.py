@@ -219,8 +219,8 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
         if any(p.start <= s.start and s.end <= p.end for p in partly)
         and not any(c.start < s.end and s.start < c.end for c in (*covered, *named))
     ]  # "Work 6 sc in ring; do not join"
-    for span in loose:
-        if any(one == span for said in made.inside.values() for _, _, one in said):
+    for span in sorted(loose, key=lambda s: s.start - s.end):
+        if any(one.start <= span.start and span.end <= one.end for said in made.inside.values() for _, _, one in said):
             continue
         part = max(((start, k) for start, k in starts if start <= span.start), default=(0, 0))[1]
         words = _clean(text[span.start : span.end])

@@ -19,6 +19,7 @@ from tambour.crochet.printed.moved import along_edge
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.stops import starts
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.table import TERMS
 
@@ -214,7 +215,7 @@ def again_made(p: State, tokens: list[Token]) -> bool:
 def once_again(p: State, tokens: list[Token]) -> bool:
     """Takes "Create another one" for one copy more, of which others would read "make one"; whether it is such."""
     text = p.source.text.text
-    said = text[_begin(text, tokens[0].start) : tokens[-1].end]
+    said = text[starts(text, tokens[0].start) : tokens[-1].end]
     return (
         tokens[0].value != "repeat"
         and _OTHERS.search(said) is not None
@@ -230,7 +231,7 @@ def _twin(p: State, tokens: list[Token]) -> bool:
         return False  # "The brim is like this; work it twice."
     name = frozenset(w for word in draft.name.lower().replace("_", " ").split() for w in (word, one(word), f"{word}s"))
     several = {f"{one(word)}s" for word in name}  # "Repeat for the other legs" are more than two
-    begin = _begin(p.source.text.text, tokens[0].start)
+    begin = starts(p.source.text.text, tokens[0].start)
     raw = [
         t for row in p.rows[p.row_at : p.row_at + 2] for t in row.tokens if begin <= t.start and t.end <= tokens[-1].end
     ]
@@ -246,7 +247,7 @@ def _twin(p: State, tokens: list[Token]) -> bool:
 
 def _made_twice(p: State, tokens: list[Token]) -> bool:
     """Takes "Make another ear.", "Make a second one the same way" for one copy more of the part it names, or else of the one just made."""
-    said = _ANOTHER.match(p.source.text.text, _begin(p.source.text.text, tokens[0].start))
+    said = _ANOTHER.match(p.source.text.text, starts(p.source.text.text, tokens[0].start))
     draft = p.parts[-1]
     if said is None or not draft.begun():
         return False
@@ -263,14 +264,7 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
     return True
 
 
-def _begin(text: str, at: int) -> int:
-    """Where the sentence of a token begins: small words before it are no tokens ("Crochet a | second one")."""
-    led = _SMALL.search(text, max(0, text.rfind("\n", 0, at)), at)
-    return led.start(1) if led is not None else at
-
-
 _OTHERS: Final = re.compile(r"\b(?:another|second|2nd|other)\b", re.IGNORECASE)
-_SMALL: Final = re.compile(r"(?:^|[\n.!?;:,)\]])[^\S\n]*((?:[^\W\d_]+[^\S\n]+)+)$")
 _SECOND: Final = re.compile(r"\b(?:second|2nd)\b", re.IGNORECASE)
 _TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,2})\b(?=.*\b(?:using|with|in)\b)")
 _ANOTHER: Final = re.compile(

@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 from typing import Final
 
+from tambour.crochet.printed.shades import shade
 from tambour.crochet.printed.tokens import Row, Token
 
 _ROW: Final = r"(?:in |of |on )*(?:(?:the|each|every|this|these|next) )*(?:rows?|rounds?|rnds?|piece|work)"
@@ -29,19 +30,35 @@ _HUED: Final = re.compile(
     rf"|(?:finishing|finish|ending|end|completing|complete|closing) (?:the )?last (?:stitch|st|sc|round|rnd|loop|yo) (?:with|in) (?:the )?{_HUE.replace('hue', 'hue2')}(?: yarn)?)(?= ?[.,;([=–-]|$)"
 )
 
+_OLD: Final = r"(?:drop|leave|cut|cut off|break|break off|fasten off|let go of|end) (?:the )?(?:[a-z]+(?: [a-z]+)?)(?: yarn)? ?(?:[,;] ?)?(?:and )?(?:then )?"
+_TAKEN: Final = re.compile(
+    rf"(?:^|(?<=[.!;] ))(?:(?:now|then) )?(?:(?:{_OLD})?(?:pick up|picking up|take up|return to|back to|bring back|continue (?:in|with)|go on (?:in|with)) (?:the )?{_HUE}(?: yarn)?(?: again)?"
+    rf"|{_HUE.replace('hue', 'hue2')}(?: yarn)? from (?:here|now)(?: on| onwards?)?)(?= ?[.!;]|$)"
+)
+"""A sentence that only takes another yarn: "Drop red, pick up white", "White from here"."""
+
 
 def ended(rows: list[Row]) -> list[Row]:
     """``rows`` with such words as most others have them."""
     return [_row(row) if any(t.word in _LOOKED for t in row.tokens) else row for row in rows]
 
 
-_LOOKED: Final = frozenset("both each either first beg beginning start last end".split())
+_LOOKED: Final = frozenset(
+    "both each either first beg beginning start last end pick picking take return back bring go continue from".split()
+)
 
 
 def _row(row: Row) -> Row:
     words = " ".join(t.word for t in row.tokens)
     if (found := _ENDED.match(words)) is not None:
         return _shaped(row, words, found)
+    taken = _TAKEN.search(words)
+    if taken is not None:
+        hue = "hue" if taken["hue"] else "hue2"
+        (a, b), (c, d) = _tokens(row.tokens, *taken.span()), _tokens(row.tokens, *taken.span(hue))
+        if shade(taken[hue]) is not None or (d == c + 1 and row.tokens[c].capital and len(taken[hue]) == 1):
+            some = [*_words("change to", row.tokens[a], row.tokens[a]), *row.tokens[c:d]]
+            return replace(row, tokens=[*row.tokens[:a], *some, *row.tokens[b:]])
     if (hued := _HUED.search(words)) is not None:
         a, b = _tokens(row.tokens, *hued.span())
         hue = "hue" if hued["hue"] else "hue2"

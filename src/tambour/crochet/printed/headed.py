@@ -76,6 +76,8 @@ class Headed(State):
             plan, (begin, end) = found
             place = Span(span.start + begin, span.start + end)
             tokens = without(tokens, place)
+            if "alternat" in words[begin:end].lower() and len(head.numbers) < 2 and head.many < 2:
+                self.tell(NOT_UNDERSTOOD, "say which stitches are worked in which yarn", place)
         elif draft.plan is not None:
             plan, place = draft.plan
         else:

@@ -175,9 +175,10 @@ def heading_above(text: str, low: int, high: int) -> Heading | None:
 
 
 _PUTS: Final = re.compile(
-    r"\b(?:sew|sewn|attach\w*|join\w*|embroider\w*|place|stuff\w*|fasten|pin|glue|insert|between)\b", re.IGNORECASE
+    r"\b(?:sew|sewn|attach\w*|join\w*|embroider\w*|place|stuff\w*|fasten|pin|glue|insert|between|leav\w*|cut|long|thread|end)\b",
+    re.IGNORECASE,
 )
-_NEARER: Final = 2  # lines above a first round
+_NEARER: Final = 1  # lines above a first round
 _MANY: Final = 8  # copies that a sentence says by the way
 
 

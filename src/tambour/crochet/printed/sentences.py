@@ -49,7 +49,7 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.stops import founded, held, same_row, turned
 from tambour.crochet.printed.stripes import Plan, blocks, lay, planned, without
 from tambour.crochet.printed.tokens import Token, rows
-from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
+from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over, otherwise
 from tambour.crochet.words.table import TERMS
 
 CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
@@ -211,6 +211,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if p.mode not in ("materials", "abbreviations"):
         if twin_made(p, tokens):
             return True
+        if by_hand(tokens) and otherwise(p, tokens):
+            return False
         if by_hand(tokens) or convention(p, tokens) or complete(text) or (handed and _once_more(tokens)):
             p.passed.append(span)
             return True

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from typing import Final
+
 from tambour.crochet.printed.items import bare_count
 from tambour.crochet.printed.tokens import Token
 
@@ -56,3 +59,12 @@ def founded(tokens: list[Token]) -> list[Token]:
     ):
         return tokens
     return tokens[: as_at - (tokens[as_at - 1].word == ",")]
+
+
+def starts(text: str, at: int) -> int:
+    """Where the sentence of a token begins: small words before it are no tokens ("Crochet a | second one")."""
+    led = _SMALL.search(text, max(0, text.rfind("\n", 0, at)), at)
+    return led.start(1) if led is not None else at
+
+
+_SMALL: Final = re.compile(r"(?:^|[\n.!?;:,)\]])[^\S\n]*((?:[^\W\d_]+[^\S\n]+)+)$")

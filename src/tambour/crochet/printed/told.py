@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Final
 
+from tambour.crochet.printed.meanwhile import meanwhile
 from tambour.crochet.printed.tellings import COUNT, DEC, LABEL, events
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.numbers import NUMBERS
@@ -39,6 +40,7 @@ def _head(tokens: list[Token]) -> bool:
 
 _FEW: Final = 5  # told rounds of a text, at least
 _KEPT: Final = re.compile(r"\b(?:fasten|stuff|stuffing|fill|leave|cut|close|eyes?|sew|change|embroider)\b")
+_CHANGES: Final = re.compile(r"^(?:change|changing|switch|switching|swap|swapping|go|going)\b")
 _WEAK: Final = frozenset("now still then again start".split())
 _CHAIN: Final = re.compile(r"(?<!\S)chain \d+(?!\S)")
 _YARN: Final = re.compile(r"^(?:now |still |then |again |start )?(?:with|in) (?:the )?[a-z]+(?: [a-z]+)?(?: again)? ,")
@@ -235,18 +237,28 @@ def _told(row: Row, telling: _Telling, labelled: bool) -> list[Row]:
             end = next(k for k, t in enumerate(some) if t.word == ",")
             yarn = [t for t in some[:end] if t.word not in _WEAK]
             made.append(Row([*yarn, _token(".", some[end].start, some[end].start)], some[0].start, some[end].end))
-        done, before = 0, len(made)
+        done, before, again = 0, len(made), False
         for n, (a, b, kind, said) in enumerate(tellings):
             stop = tellings[n + 1][0] if n + 1 < len(tellings) else len(words)
             inside = next(iter(LABEL.finditer(words[done:a])), None)
             if inside is not None:
                 label, flat = _numbers(inside), inside["kind"].startswith("row")
             if labelled and label is None and telling.last and kind != "ring" and kind != "row":
-                done = b
+                done, again = b, True
                 continue  # said once more: "So that's two in each"
             one = _round(kind, said, telling, words[done:b])
             if one is None:
                 continue
+            lead = (
+                words[done:a]
+                if n == 0 and len(made) == before and not _YARN.match(words) and not _CHAIN.search(words[:a])
+                else ""
+            )
+            ahead, along = _beside(some, begins, (0, len(lead)) if lead else (0, 0))
+            late, behind = _beside(some, begins, (b, stop)) if n + 1 < len(tellings) else ([], [])
+            tail = _KEPT.search(words[b:]) if n + 1 == len(tellings) else None
+            if n + 1 == len(tellings) and tail is None:
+                late, behind = _beside(some, begins, (b, len(words)))
             if loops and kind != "ring" and one.body[:3] not in ("blo", "flo"):
                 one.body = f"{loops} , {one.body}"
                 loops = ""
@@ -260,22 +272,34 @@ def _told(row: Row, telling: _Telling, labelled: bool) -> list[Row]:
             one.many = max(one.many, many)
             one.count = _count(words[b:stop], telling.edge)
             first, last = _place(begins, a, b)
-            made += _line(one, telling, some[first], some[last])
+            made += [*ahead, *late, *_line(one, telling, some[first], some[last]), *along, *behind]
             if kind == "joined":
                 made.append(Row(some, some[0].start, some[-1].end))  # what it is joined to is told
             label = None
             done = b
-        if len(made) == before and pending is not None:
+        if len(made) == before and (pending is not None or not again):
             made.append(Row(some, some[0].start, some[-1].end))
         rest_words = words[done:]
         if _KEPT.search(rest_words):
             first, _ = _place(begins, done, len(words))
             rest = some[first:]
+            if (hued := _beside(some, begins, (done, len(words)))) and any(
+                _CHANGES.search(_words(r.tokens)) for r in hued[1]
+            ):
+                made[-1:] = [*hued[0], *made[-1:], *hued[1]]
+                continue
             while rest and (rest[0].kind in ("mark", "number") or rest[0].word in ("and", "then", "so", "leaving")):
                 rest = rest[1:]
             if len(rest) > 1:
                 made.append(Row(rest, rest[0].start, rest[-1].end))
     return made if any_told else [row]
+
+
+def _beside(some: list[Token], begins: list[int], at: tuple[int, int]) -> tuple[list[Row], list[Row]]:
+    """What stands between two characters of a told sentence besides rounds, to come before and behind the round there."""
+    first = next((k for k, begin in enumerate(begins) if begin >= at[0]), len(some))
+    last = next((k for k, begin in enumerate(begins) if begin >= at[1]), len(some))
+    return meanwhile(some[first:last])
 
 
 def _names(some: list[Token]) -> bool:

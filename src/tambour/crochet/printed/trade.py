@@ -168,6 +168,8 @@ class Trade(Dyes):
         elif word == "form":
             if not any(isinstance(i, Action) and i.name == "join" for i in found):
                 found.append(Action("join", token.span))
+        elif word == "fasten off" and token.word not in ("fasten off", "fo") and self.palette.color(c) is not None:
+            self.by_the_way(c.at - 1)  # "break off white" ends no piece
         elif word == "fasten off":
             found.append(Action("fo", token.span))
             self.ending()

@@ -10,6 +10,7 @@ from tambour.core.errors import Span
 from tambour.crochet.printed.opening import founds
 from tambour.crochet.printed.remarks import remark, yarned
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.stops import starts
 from tambour.crochet.printed.tokens import Token
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
@@ -20,6 +21,14 @@ _CHANGES: Final = frozenset("change changes changing alternate switch".split())
 _MORE: Final = re.compile(
     r"\b(?:(?:other|second|2nd) one|one more)\b(?!\s+(?:is|was|thing|time|round|row|step|tip))", re.IGNORECASE
 )
+_ONCE: Final = re.compile(r"\W*(?:and |then )*(?:once (?:more|again)|one more time|again)\W*", re.IGNORECASE)
+_AGAIN: Final = re.compile(
+    r"\b(?:switch|change|swap|alternate|changing|switching|swapping) (?:the |your )?(?:yarns?|colou?rs?|threads?)\b"
+    r"|\b(?:to|in|with) the (?:first|second|other|main|old|new) (?:yarn|colou?r)\b|\bdivid\w+ (?:the |your )?(?:work|piece|round|body|stitches)\b"
+    r"|\bcrochet (?:the |both |these )*(?:\w+ )?(?:opening|edges?|pieces?|sides|halves|layers|hole) (?:together|shut|closed)\b",
+    re.IGNORECASE,
+)
+"""Words that have the work done otherwise, though they name no stitch, number or yarn."""
 _BRIEF: Final = 5  # tokens of a colour that stands alone above the first round: "[All in Red]"
 
 
@@ -57,6 +66,8 @@ def instructs(p: State, tokens: list[Token]) -> bool:
         told = (worked and numbers) or (yarned(tokens) and not begins)
         return p.heading is not None and p.mode == "" and told
     repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as", "twice") and t.word != "like" for t in tokens)
+    if p.parts and otherwise(p, tokens):
+        return True
     if len(tokens) <= _BRIEF and _MORE.search(p.source.text.text, tokens[0].start, tokens[-1].end):
         return True
     if p.mode == "notes":
@@ -68,6 +79,13 @@ def instructs(p: State, tokens: list[Token]) -> bool:
         w in _CHANGES for t in tokens for w in t.word.split()
     )
     return changes or any(p.palette.name(t.word) for t in tokens if t.kind == "word") or yarned(tokens)
+
+
+def otherwise(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence has the work done otherwise from there on: "Switch yarns", "Divide the work"."""
+    text = p.source.text.text
+    said = text[starts(text, tokens[0].start) : tokens[-1].end]
+    return (_ONCE.fullmatch(said) or _AGAIN.search(said)) is not None
 
 
 def left_over(p: State, tokens: list[Token]) -> None:
