@@ -144,7 +144,9 @@ def test_hands_are_told_what_they_must_know() -> None:
         + "Rnd 3: sc around, join (7)\n"
     )
     assert "spiral" not in _ways(joined)
-    assert dict(_hows(shop("toadstool")))["French knot"] and not _hows(shop("willa"))
+    assert dict(_hows(shop("toadstool")))["French knot"] and set(dict(_hows(shop("willa")))) == {
+        "Backstitch"
+    }  # ours for her smile
 
 
 def test_a_scarf_is_begun_in_the_chain_that_she_says() -> None:

@@ -43,11 +43,7 @@ def threads(ground: Ground, at: Frames, name: str, width: float) -> list[Array] 
         return None
     middle, _, _ = ground.foot(at.points.mean(0)[None])
     _, normal, _ = ground.foot(middle)
-    up = at.up.mean(0) - (at.up.mean(0) @ normal[0]) * normal[0]
-    up = unit(up[None])[0]
-    along = np.cross(up, normal[0])
-    off = at.points - middle[0]
-    flat = np.column_stack([off @ along, off @ up])
+    flat, along, up = _laid(at, middle[0], normal[0])
     lines = _satin(flat, name, width) if name in SATIN else [_line(flat, name)]
     lines = [_dense(line, 0.35 * width) for line in lines if len(line) > 1]
     if not lines:
@@ -69,6 +65,23 @@ def threads(ground: Ground, at: Frames, name: str, width: float) -> list[Array] 
         rise = high[a:b] - _INSIDE * width * np.maximum(0.0, 1.0 - near) ** 2
         made.append(np.asarray(places[a:b] + rise[:, None] * normals[a:b]))
     return made
+
+
+def extent(at: Frames, name: str, width: float) -> tuple[float, float]:
+    """How wide and how high a motif is that is embroidered at two places or more, mm, its yarn ``width`` thick with it."""
+    flat, _, _ = _laid(at, at.points.mean(0), unit(at.normals.mean(0)[None])[0])
+    lines = _satin(flat, name, width) if name in SATIN else [_line(flat, name)]
+    wide, high = (np.ptp(np.concatenate(lines), axis=0) + width).tolist()
+    return wide, high
+
+
+def _laid(at: Frames, middle: Array, normal: Array) -> tuple[Array, Array, Array]:
+    """The places of a motif in the plane about its middle (N, 2), and that plane's level and upright directions."""
+    up = at.up.mean(0) - (at.up.mean(0) @ normal) * normal
+    up = unit(up[None])[0]
+    along = np.cross(up, normal)
+    off = at.points - middle
+    return np.column_stack([off @ along, off @ up]), along, up
 
 
 def _satin(flat: Array, name: str, width: float) -> list[Array]:

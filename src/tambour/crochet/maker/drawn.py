@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT
+from tambour.crochet.finish.features import placed
+from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT, extent
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import Embroidery
 
@@ -71,12 +72,17 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
         return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
     if first.motif not in _FACES:
         return [over]
+    if len(first.spots) > 1 and first.motif in SATIN | frozenset(CURVED):
+        located = placed(taken.built, taken.piece.positions, taken.piece.upright)
+        at = next(where for record, where in zip(located.records, located.where) if record is first)
+        size = _mm(own, *extent(at, first.motif, first.width))
+    else:
+        size = _size(own, _each([first], points)[0])
     if len(alike) == 2 and first.motif not in ("eyes", "claws"):
         apart = [float(np.mean([abs(taken.off(s)[0]) for s in r.spots])) for r in alike]
         where = taken.from_middle(first.spots[0].part, [float(np.mean(apart))], taken.off(first.spots[0])[1])
-        points = _each([first], points)[0]
-        return [own["each"].format(what=_size(own, points)), over, where, _stitched(taken, first)]
-    return [_size(own, points), over, _stitched(taken, first)] if len(alike) == 1 else [over]
+        return [own["each"].format(what=size), over, where, _stitched(taken, first)]
+    return [size, over, _stitched(taken, first)] if len(alike) == 1 else [over]
 
 
 def _stitched(taken: Taken, record: Embroidery) -> str:
@@ -84,6 +90,11 @@ def _stitched(taken: Taken, record: Embroidery) -> str:
     own, words = taken.own, taken.words(record).lower()
     if record.motif in SATIN:
         lie = own["threads upright" if record.motif in UPRIGHT else "threads level"]
+        lie = (
+            f"{own['nose tip']}, {lie}"
+            if record.motif == "nose" and "triang" not in words and "dreieck" not in words
+            else lie
+        )
         return lie if _FILLED.search(words) else f"{own['in satin']}, {lie}"
     return own["in backstitch"] if record.motif in CURVED and _STITCH.search(words) is None else ""
 
@@ -91,7 +102,11 @@ def _stitched(taken: Taken, record: Embroidery) -> str:
 def _size(own: Mapping[str, str], points: Array) -> str:
     """How large what goes through points is."""
     across = points[:, None, [0, 2]] - points[:, [0, 2]]
-    wide, high = (max(1, round(float(v))) for v in (np.sqrt((across**2).sum(2)).max(), np.ptp(points[:, 1])))
+    return _mm(own, float(np.sqrt((across**2).sum(2)).max()), float(np.ptp(points[:, 1])))
+
+
+def _mm(own: Mapping[str, str], *size: float) -> str:
+    wide, high = (max(1, round(v)) for v in size)
     return own["took size" if high > 2 else "took wide"].format(w=wide, h=high)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from math import ceil
 from typing import Final
 
 from tambour.core.picture import Picture
@@ -226,7 +227,9 @@ def _hows(book: Book) -> list[tuple[str, str]]:
     """How the stitches are made that her sentences name, and nobody explains."""
     if book.hers is None or book.code not in ("us", "uk"):
         return []
-    text = book.piece.built.pattern.text.text
+    pattern = book.piece.built.pattern
+    ours = book.taken([r for r in pattern.finish if isinstance(r, Embroidery) and book.words_of(r)])
+    text = " ".join([pattern.text.text, *ours])
     found = [
         (word, re.search(rf"\b{word.replace(' ', ' ?')}(?:es|s)?\b(?!\s*[=:(–-])", text, re.IGNORECASE))
         for word in _HOWS
@@ -282,11 +285,11 @@ def _materials(book: Book, width: float) -> list[Atom]:
         key = "leftover" if yarn["grams"] < LEFTOVER else "skein" if yarn["skeins"] == 1 else "skeins"
         skein = own[key].format(n=yarn["skeins"], grams=number(found["weight"]["skein_g"], 0))
         skein = "" if said else skein  # what is bought she says herself
-        metres = max(1.0, float(round(yarn["metres"])))
+        metres = float(ceil(yarn["metres"]))
         much = f"{number(metres, 0)} m"
         if book.imperial:
             much += f" / {number(metres / 0.9144, 0)} yd"
-        grams = f"{number(max(1.0, yarn['grams']), 0)} g"
+        grams = f"{number(ceil(yarn['grams']), 0)} g"
         made.append(_yarn(color, letter, name, much, grams, skein, width))
     threads: dict[RGB, float] = {}
     for thread in found["embroidery"]:

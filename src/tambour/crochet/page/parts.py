@@ -148,7 +148,7 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
         base = y + BODY + 0.2
         for line, at in ticks if row.times > 1 else [(0, 0.1 - left)]:
             down = (line + len(lines) - 1 - below if row.times > 1 else 0) * BODY * LEADING
-            sheet.box(x + left + at, base + down - _TICK + 0.15, _TICK, _TICK, None, HAIR, 0.25, 0.4)
+            sheet.box(x + left + at, base + down - _TICK + 0.15, _TICK, _TICK, None, SOFT, 0.2, 0.4)
         sheet.text(row.label, x + _TICK + 2.0, base, BODY, True)
         sheet.paragraph(lines, x + left, base, BODY)
         if row.count:
