@@ -30,7 +30,7 @@ QUARTER = 0.25
 """Where nothing is to be easy, places are said to a quarter of a round and of a stitch; else between two rounds, and to a stitch."""
 STEEP = 85.0
 """How far a part leans at the most, in degrees."""
-UNSEEN = 0.5
+UNSEEN = 0.2
 """What a lean, or a turn about itself, moves a part by on the average, in stitches, that it is worth no words."""
 SIDEWAYS = 0.5
 """How much farther off a place may be, in radii of the end, whose fabric looks where the part points, than one that looks across."""

@@ -32,8 +32,8 @@ BENT, IDLE = 5, 3
 that ends."""
 FLAT = 0.78
 """A limb whose lines enclose a smaller share than this of what circles would is tried without stuffing too, as ears are worked."""
-MANY = 2.0
-"""How many rounds of a part that bends lean at the most, against those that may be neither plain nor a repeat."""
+MANY = 1.0
+"""How many rounds of a part that bends lean at the most, against those that may be neither plain nor a repeat: a leaning one is neither."""
 BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 8
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; no more threads than so many are pulled at once."""
@@ -129,7 +129,7 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
     done, best, history = _worked(task, tried(task, task.way.girths) if first is None else first, tries)
     if task.way.closed or not _stuffed(task) or roundness(task.way) > FLAT:
         return done, best, history
-    empty = replace(task, stuffing="none")
+    empty = replace(task, stuffing="none", lines=None)  # what is flat bends by hand
     empty, flat, more = _worked(empty, tried(empty, task.way.girths), tries)
     history += more
     return (empty, flat, history) if flat.distance.mean < best.distance.mean - GAIN else (done, best, history)
