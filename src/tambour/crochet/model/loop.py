@@ -25,6 +25,8 @@ TRIES = 8
 STEP, SLOWER = 0.8, 0.87
 """How much of what a round is too wide is taken off it at once, at first, and by what share less each time after: whole stitches and
 repeats make every try a little better or worse than its lengths are, and small steps about the same place even that out."""
+HARD = 0.15
+"""How much nearer, in stitches, rounds must lie that are harder to follow than was asked for."""
 GAIN = 0.004
 """An improvement of the mean distance by less than this, in stitches, is none."""
 BENT, IDLE = 5, 3
@@ -32,8 +34,6 @@ BENT, IDLE = 5, 3
 that ends."""
 FLAT = 0.78
 """A limb whose lines enclose a smaller share than this of what circles would is tried without stuffing too, as ears are worked."""
-MANY = 1.0
-"""How many rounds of a part that bends lean at the most, against those that may be neither plain nor a repeat: a leaning one is neither."""
 BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 8
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; no more threads than so many are pulled at once."""
@@ -46,7 +46,7 @@ class Tried:
     """Rounds and what the simulation made of them.
 
     goal : (N, 3) where each node of the part belongs on the model; wanted : the lengths that the counts were made for
-    holds : the threads that pull it in; target : what it is held against
+    holds : the threads that pull it in; target : what it is held against; hard : its rounds are not as easy as was asked for
     """
 
     rounds: Rounds
@@ -57,6 +57,12 @@ class Tried:
     distance: Distance
     holds: tuple[threads.Hold, ...]
     target: Target
+    hard: bool = False
+
+    @property
+    def price(self) -> float:
+        """How far it lies off, on the average, and more if it is too hard to follow."""
+        return self.distance.mean + (HARD if self.hard else 0.0)
 
     @property
     def lain(self) -> Array:
@@ -120,7 +126,8 @@ def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tr
     worked = settled(part, task.params, task.stitch)
     start = fit(worked.x, goal, np.ones(len(goal)))
     lain = distance(task.target, worked.x, worked.graph.faces, start)
-    return Tried(part, made, goal, wanted, worked, lain, holds, task.target)
+    hard = not readable.followable(part.rounds, task.plain)
+    return Tried(part, made, goal, wanted, worked, lain, holds, task.target, hard)
 
 
 def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Task, Tried, list[float]]:
@@ -132,7 +139,7 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
     empty = replace(task, stuffing="none", lines=None)  # what is flat bends by hand
     empty, flat, more = _worked(empty, tried(empty, task.way.girths), tries)
     history += more
-    return (empty, flat, history) if flat.distance.mean < best.distance.mean - GAIN else (done, best, history)
+    return (empty, flat, history) if flat.price < best.price - GAIN else (done, best, history)
 
 
 def _stuffed(task: Task) -> bool:
@@ -162,7 +169,7 @@ def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[flo
             break
         now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries))
         history += more
-        if now.distance.mean < best.distance.mean - GAIN:
+        if now.price < best.price - GAIN:
             best = now
         elif add == 1:
             break
@@ -177,17 +184,17 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
     if task.lines is None or task.hollow[0]:
         return task, best, history
     was, now, on = (task, best), best, task
-    bend, step, idle = np.zeros((len(best.counts), 2)), STEP, 0
+    bend, step, idle, share = np.zeros((len(best.counts), 2)), STEP, 0, readable.uneven(task.plain)
     for _ in range(min(BENT, tries)):
         bend = bend + step * bends.needed(now)
-        leans = bends.leaning(bend, MANY * readable.uneven(task.plain) * len(bend))
+        leans = bends.leaning(bend, share * len(bend))
         if not any(lean is not None for lean in leans):
             break
         upto = np.cumsum(bends.heights(leans))
         rows = max(3, round(len(task.way.lines) * len(leans) / float(upto[-1])))
         at, own = (np.arange(rows) + 0.5) / rows, (upto - 0.5) / upto[-1]
         bend = np.column_stack([np.interp(at, own, bend[:, k]) for k in range(2)])
-        leans = bends.leaning(bend, MANY * readable.uneven(task.plain) * rows)
+        leans = bends.leaning(bend, share * rows)
         way = task.lines(bends.heights(leans))
         many = len(way.lines)  # a flat end has some more
         leans, bend = (leans + [None] * many)[:many], np.concatenate([bend, np.zeros((many, 2))])[:many]
@@ -196,8 +203,8 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
         now = tried(on, wider * way.girths)
         again = tried(on, corrected(on, now, step))
         history += [now.distance.mean, again.distance.mean]
-        now = again if again.distance.mean < now.distance.mean else now
-        idle = 0 if now.distance.mean < was[1].distance.mean - GAIN else idle + 1
+        now = again if again.price < now.price else now
+        idle = 0 if now.price < was[1].price - GAIN else idle + 1
         was = was if idle else (on, now)
         if idle == IDLE:
             break
@@ -213,7 +220,7 @@ def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
         before = now
         now = tried(task, corrected(task, before, step), threads.tightened(before, step))
         history.append(now.distance.mean)
-        idle = 0 if now.distance.mean < best.distance.mean else idle + 1
+        idle = 0 if now.price < best.price else idle + 1
         best = best if idle else now
         if now.rounds == before.rounds:
             break

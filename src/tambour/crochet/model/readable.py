@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from itertools import pairwise
@@ -28,6 +29,8 @@ KINDS = 25
 """How many different rounds a part has at the most."""
 FEWEST = 6
 """The same of one that is as easy as can be."""
+ODD = 0.3
+"""Of the rounds that may be neither plain nor a repeat, the share at the most whose count changes by what no repeat gives."""
 EASY = 0.72
 """The share of rounds that are plain, or one repeat."""
 GAINS = (0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5, 2.5, 5.0, math.inf)
@@ -77,12 +80,14 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
     Fabric evens out what neighbouring rounds are too wide and too narrow by, so it is the mean of two that is to be near.
     """
     most = math.inf if plain <= 0.0 else CHANGES * (1.5 - plain)
-    price = 0.1 * plain
+    price, hard = 0.1 * plain, UNEVEN * plain
     while True:
-        made = _sparing(wanted, price, UNEVEN * plain)
-        if sum(a != b for a, b in pairwise(made)) <= most or price > 1e3:
+        made = _sparing(wanted, price, hard)
+        many = sum(a != b for a, b in pairwise(made)) > most
+        odd = sum(math.gcd(a, b) < 2 for a, b in pairwise(made) if a != b) > max(1.0, ODD * uneven(plain) * len(made))
+        if not (many or odd) or max(price, hard) > 1e3:
             return made
-        price = 1.5 * price + 0.02
+        price, hard = 1.5 * price + 0.02 if many else price, 1.5 * hard if odd and plain > 0.0 else hard
 
 
 def _sparing(wanted: Sequence[float], price: float, hard: float) -> list[int]:
@@ -104,22 +109,35 @@ def rounds(
     lines: Sequence[Array], points: Sequence[Array], plain: float, leans: Sequence[Lean | None] = ()
 ) -> tuple[Round, ...]:
     """The rounds over the first one, whose stitches lie at ``points`` (n, 3), even along ``lines``; those that are taller on one side
-    where ``leans`` of all rounds says so (:mod:`tambour.crochet.model.bends`).
+    where ``leans`` of all rounds says so (:mod:`tambour.crochet.model.bends`), fewer where that would be too hard to follow.
 
     Increases and decreases lie where the shape wants them, at its corners and outside of its bends, in as many rounds as
     leave a share EASY (at half of ``plain``) of all of them plain or a repeat, and not more than KINDS different ones: in
     those where most is gained by it. Between them columns of stitches go straight on, and what they are off by adds up.
     """
-    wanted = 1.0 - uneven(plain)
-    most = math.inf if plain <= 0.0 else KINDS + (KINDS - FEWEST) * (1.0 - 2.0 * plain)
     low, high = 0, len(GAINS) - 1 if plain > 0.0 else 0
     known: dict[int, tuple[Round, ...]] = {}
     while low < high:  # the least gain that leaves rounds which read easily
         middle = (low + high) // 2
-        made = known[middle] = _followed(lines, points, GAINS[middle], leans)
-        good = sum(map(easy, made)) >= wanted * len(made) and len({kind(one) for one in made}) <= most
-        low, high = (low, middle) if good else (middle + 1, high)
-    return known[low] if low in known else _followed(lines, points, GAINS[low], leans)
+        known[middle] = _followed(lines, points, GAINS[middle])
+        low, high = (low, middle) if followable(_leant(known[middle], leans), plain) else (middle + 1, high)
+    made, left = known[low] if low in known else _followed(lines, points, GAINS[low]), list(leans)
+    while not followable(_leant(made, left), plain) and any(left[1:]):
+        leant = _leant(made, left)
+        often = Counter(map(kind, leant))
+        left[min((k for k in range(1, len(left)) if left[k]), key=lambda k: often[kind(leant[k - 1])])] = None
+    return _leant(made, left)
+
+
+def _leant(made: tuple[Round, ...], leans: Sequence[Lean | None]) -> tuple[Round, ...]:
+    """Rounds ``made``, after the first, those of them taller on one side of which ``leans`` says so."""
+    return tuple(arched(one, lean) for one, lean in zip(made, leans[1:])) if leans else made
+
+
+def followable(made: Sequence[Round], plain: float) -> bool:
+    """Whether enough rounds of a part are plain or a repeat, and not too many different, for one as easy as ``plain``."""
+    most = math.inf if plain <= 0.0 else KINDS + (KINDS - FEWEST) * (1.0 - 2.0 * plain)
+    return sum(map(easy, made)) >= (1.0 - uneven(plain)) * len(made) and len({kind(one) for one in made}) <= most
 
 
 def uneven(plain: float) -> float:
@@ -132,9 +150,7 @@ def kind(one: Round) -> tuple[str, ...]:
     return ("sc",) if set(one.words) == {"sc"} else one.words
 
 
-def _followed(
-    lines: Sequence[Array], points: Sequence[Array], least: float, leans: Sequence[Lean | None]
-) -> tuple[Round, ...]:
+def _followed(lines: Sequence[Array], points: Sequence[Array], least: float) -> tuple[Round, ...]:
     """Rounds that follow the shape where that gains more than ``least``, square stitches for every stitch."""
     at, made = points[0], []
     for line, above in zip(lines[1:], points[1:]):
@@ -149,7 +165,7 @@ def _followed(
         else:
             made.append(Round(tries[j]))
             at = _carried(tries[j], below)
-    return tuple(arched(one, lean) for one, lean in zip(made, leans[1:])) if leans else tuple(made)
+    return tuple(made)
 
 
 def _carried(words: Sequence[str], below: Array) -> Array:
