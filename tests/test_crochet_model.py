@@ -43,7 +43,7 @@ from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, roundness, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
-from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
+from tambour.crochet.model.readable import cost, easy, followable, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.seating import Rest, alike, longer, nudged, singly
@@ -763,8 +763,33 @@ def test_a_round_that_leans_is_taller_on_one_side_and_keeps_its_count(steep: boo
     assert (mixed.makes, mixed.takes, mixed.words.count("inc")) == (24, 20, 4)
 
 
+def test_rounds_of_a_part_that_bends_everywhere_are_thinned_until_they_read_as_easily_as_was_asked_for() -> None:
+    many = [6, 12, 18, 24, *[30] * 12, 24, 18, 12, 6]
+    angle = 2.0 * math.pi * np.arange(60) / 60
+    ring = np.column_stack([np.cos(angle), 0.0 * angle, np.sin(angle)]) / (2.0 * math.pi)
+    lines_ = [n * ring + np.array([0.0, k, 0.0]) for k, n in enumerate(many)]
+    end = np.zeros(3)
+    points = laid(Fronts(end, end, tuple(lines_), True, 0.0), many, np.array([0.0, 0.0, -1.0]))
+    leans = [(k % 12 / 12.0, k % 2 == 0) for k in range(len(many))]
+    bent_ = {plain: rounds(lines_, points, plain, leans) for plain in (0.0, 0.5)}
+    tall = {plain: sum(bool({"hdc", "dc"} & set(one.words)) for one in made) for plain, made in bent_.items()}
+    assert tall[0.0] > 0.28 * len(many) >= tall[0.5] > 0
+    assert followable(bent_[0.5], 0.5) and not followable(bent_[0.0], 0.5)
+
+
+@given(st.lists(st.floats(-3.0, 6.0), min_size=10, max_size=40))
+@settings(max_examples=20, deadline=None)
+def test_counts_change_seldom_by_what_no_repeat_gives(steps: list[float]) -> None:
+    wanted = list(np.clip(6.0 + np.cumsum(steps), 6.0, 60.0))
+    made = sparing(wanted, 0.5)
+    assert sum(math.gcd(a, b) < 2 for a, b in pairwise(made) if a != b) <= max(1.0, 0.3 * 0.28 * len(made))
+    assert len(sparing(wanted, 0.0)) == len(wanted) == len(sparing(wanted, 1.0))
+
+
 @pytest.mark.slow
-def test_a_part_bends_as_its_model_does() -> None:
+def test_a_part_bends_as_its_model_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in {"EASY": 0.0, "KINDS": 1000, "GAINS": (math.inf,)}.items():  # however many rounds lean
+        monkeypatch.setattr(f"tambour.crochet.model.readable.{name}", value)
     x, faces = hooked(2.5, 12.0, 1.5)
     tip, end = (int(v) for v in (x[:, 1].argmin(), x[:, 1].argmax()))
     way = between(x, faces, *(distances(x, faces, np.array([v])) for v in (tip, end)))
@@ -776,7 +801,7 @@ def test_a_part_bends_as_its_model_does() -> None:
         return fronts(x, faces, way, len(high), tip, None, high)
 
     straight = lines_(np.ones(round(float(way.max())) - 1))
-    task = Task("Horn", straight, surface, np.array([0.0, 0.0, -1.0]), 0.0, "", CrochetParams(), (5.0, 5.0))
+    task = Task("Horn", straight, surface, np.array([0.0, 0.0, -1.0]), 0.5, "", CrochetParams(), (5.0, 5.0))
     task = replace(task, lines=lines_)
     first = tried(task, task.way.girths)
     assert np.sqrt((needed(first) ** 2).sum(1)).max() > 0.1

@@ -79,15 +79,17 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
 
     Fabric evens out what neighbouring rounds are too wide and too narrow by, so it is the mean of two that is to be near.
     """
-    most = math.inf if plain <= 0.0 else CHANGES * (1.5 - plain)
+    if plain <= 0.0:
+        return _sparing(wanted, 0.0, 0.0)
+    most, most_odd = CHANGES * (1.5 - plain), max(1.0, ODD * uneven(plain) * len(wanted))
     price, hard = 0.1 * plain, UNEVEN * plain
     while True:
         made = _sparing(wanted, price, hard)
-        many = sum(a != b for a, b in pairwise(made)) > most
-        odd = sum(math.gcd(a, b) < 2 for a, b in pairwise(made) if a != b) > max(1.0, ODD * uneven(plain) * len(made))
+        changes = [(a, b) for a, b in pairwise(made) if a != b]
+        many, odd = len(changes) > most, sum(math.gcd(a, b) < 2 for a, b in changes) > most_odd
         if not (many or odd) or max(price, hard) > 1e3:
             return made
-        price, hard = 1.5 * price + 0.02 if many else price, 1.5 * hard if odd and plain > 0.0 else hard
+        price, hard = 1.5 * price + 0.02 if many else price, 1.5 * hard if odd else hard
 
 
 def _sparing(wanted: Sequence[float], price: float, hard: float) -> list[int]:
