@@ -16,6 +16,7 @@ from tambour.render.light import seen
 FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
+MOTTLED = 0.08  # how much lighter and darker single fibres are: more, and wool looks carved
 TILES = 2.0  # of fibres to a turn of the twist: fibres are short, however long a turn is
 SOFT = 0.09  # how round the bottom of the groove between plies is
 
@@ -213,7 +214,7 @@ def shade(
                                 n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)
                                 n[2] -= lift * (fleece[r_, c_, 1] * wz + fleece[r_, c_, 2] * tz_)
                                 for c in range(3):
-                                    albedo[c] *= max(0.3, 1.0 + 0.15 * tone_of)
+                                    albedo[c] *= max(0.3, 1.0 + MOTTLED * tone_of)
                     length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                     if length == 0.0:
                         length = 1.0
