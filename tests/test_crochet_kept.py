@@ -447,3 +447,10 @@ def test_what_hands_do_while_rounds_are_told_is_kept(words: str, place: int) -> 
 def test_yarns_of_told_rounds_are_heard(words: str) -> None:
     pattern = read(Text(TOLD.format("", "", f", {words}"), "told.txt"))
     assert [h for line in pattern.parts[0].lines for h in hues(line)] == [WHITE]
+
+
+@pytest.mark.parametrize("said", ["Version 2", "Variation two", "Second version"])
+def test_another_colouring_is_told(said: str) -> None:
+    text = f"Egg\n\nVersion 1: Beige as Color 1, Brown as Color 2\n{said}: White as Color 1, Grey as Color 2\n\n{EGG.format('')[5:]}"
+    told = [p for p in read(Text(text, "egg.txt")).warnings if "another colouring" in p.message]
+    assert len(told) == 1 and told[0].span is not None and text[told[0].span.start :].startswith(said)

@@ -49,6 +49,11 @@ _LISTED: Final = re.compile(r"(?:^|;|[-–—:])[ \t]*[^\W\d][\w.]{0,9},[ \t]+[^
 
 _SHOWN: Final = re.compile(r"[(\[]\s*see\b[^()\[\]]*[)\]]\W*$", re.IGNORECASE)
 """What stands behind a name that a picture shows: "Neck Flange (see diagram on page 3)."."""
+_COLOURING: Final = re.compile(
+    r"^(?:(?:version|variation|option|variant|colou?rway) (?:[2-9]|two|three|four|B|C)\b|(?:second|third|other) (?:version|variation|colou?rway))[^\n]*",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""A list of yarns for another toy than the first: "Version 2: White as Color 1, Grey as Color 2"."""
 _NEAR: Final = 40  # characters between a heading and another under it
 _PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
 _JOININGS: Final = frozenset(("joining", "join", "assembling"))
@@ -75,6 +80,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
     if " as " in line and numbered(p.palette, line) and not any(t.kind == "stitch" for t in tokens):
+        for m in _COLOURING.finditer(line):
+            at = row.tokens[0].start + m.start()
+            hint = "leave only the one that you want in the text"
+            p.source.doubt("this is another colouring: the first is shown", hint, Span(at, at + len(m[0])))
         p.passed.append(whole)  # "Version 3: C as Color 1, B as Color 2"
         return
     if p.mode not in ("materials", "abbreviations") and (at := headed(text, row, tokens) or trailing(p, row, tokens)):
