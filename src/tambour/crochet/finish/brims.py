@@ -1,0 +1,66 @@
+"""Brims: a hat whose brim hangs before the eyes is pushed back on its head, as far as they need."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.finish.placing import frames
+from tambour.crochet.language.finishes import Eye
+from tambour.geometry.motion import turned
+
+if TYPE_CHECKING:
+    from tambour.crochet.finish.joining import Joined
+    from tambour.crochet.finish.shape import Task
+
+HATS = re.compile(r"\b(?:hats?|caps?|bonnets?|helmets?|hut|mütze|sombrero|gorro|chapeau|bonnet|hoed|muts)\b")
+ANGLES = (8.0, 16.0, 24.0, 32.0, 40.0)
+"""A hat is pushed back by the least of these, in degrees, that frees the eyes; by none where none does."""
+SIGHT = math.radians(13.0)
+"""Who looks at the toy looks down on it by so much."""
+FREE = 0.8
+"""So many stitches about the line of sight nothing hangs."""
+FAR = np.arange(1.0, 16.0)
+"""Where on the line of sight, in stitches before an eye."""
+
+
+def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[Array, Array, Array]]:
+    """Of the toy with the nodes ``own`` (N,) every hat that is before the eyes: its parts (K,), the rotation and the point it is about."""
+    joining = task.joining
+    if joining is None:
+        return []
+    spots, graph = joining.spots, task.graph
+    eyes = [f for f in joining.built.pattern.finish if isinstance(f, Eye)]
+    on = {spots.parts[f.part]: spots.parts[f.spot.part] for f, _ in joining.steps}
+    found = []
+    for f, _ in joining.steps:
+        part, host = spots.parts[f.part], spots.parts[f.spot.part]
+        mine = [e for e in eyes if spots.parts[e.spot.part] == host]
+        if not HATS.search(f.part.lower()) or f.spot.stitch is not None or not mine or not own[graph.parts[part].start]:
+            continue
+        bear = {part}
+        while more := {p for p, below in on.items() if below in bear} - bear:
+            bear |= more
+        worn, head = graph.parts[part], graph.parts[host]
+        middle = x[head.start : head.end].mean(0)
+        points = frames(spots, x, [e.spot for e in mine], joined.upright).points
+        ahead = np.array([0.0, math.sin(SIGHT), math.cos(SIGHT)])
+        sight = (points[:, None] + FAR[:, None] * graph.stitch_width * ahead).reshape(-1, 3)
+        hat = x[worn.start : worn.end] - middle
+        for angle in (0.0, *ANGLES):
+            turn = _back(angle)
+            away = np.sqrt(((sight[:, None] - (turned(hat, turn) + middle)) ** 2).sum(2).min())
+            if away > FREE * graph.stitch_width:
+                if angle:
+                    found.append((np.array(sorted(bear)), turn, middle))
+                break
+    return found
+
+
+def _back(angle: float) -> Array:
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, s], [0.0, -s, c]])
