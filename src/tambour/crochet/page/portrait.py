@@ -32,6 +32,14 @@ AHEAD, QUARTER, ASIDE, OVER, ABOVE = (
 eyes at its sides, for things that lie beside each other, for what is flat."""
 _LOOKS: Final = 0.7
 """Eyes look ahead whose fabric does, in the mean, as a cosine."""
+_SIDEWAYS: Final = 0.4
+"""Eyes that look less far ahead are at a head's sides: one sees one of them from there."""
+_TOGETHER: Final = 0.2
+"""Eyes at both sides of a head look nowhere together; the square of the least share of their ways that is common."""
+_LIKE: Final = 0.25
+"""A piece with so many of the stitches of another is a toy for itself."""
+_OFF: Final = radians(35.0)
+"""A face so far beside the front is what one looks at."""
 PALE, DEEP = ("oak", "stone", "walnut", "linen"), ("paper", "linen", "painted", "oak")
 """Tables for pale yarn and for deep colours: each is set off against its table."""
 FLAT: Final = 0.3
@@ -215,6 +223,16 @@ def several(piece: Plush) -> bool:
     return bool(clusters(graph).max(initial=0) > 0) and not present(piece.built)
 
 
+def several_toys(piece: Plush) -> bool:
+    """Whether toys of about one size stand beside each other."""
+    import numpy as np
+
+    from tambour.crochet.settle.arrange import clusters
+
+    many = np.sort(np.bincount(clusters(piece.built.graph), minlength=2))
+    return bool(many[-2] > _LIKE * many[-1])
+
+
 def stand(piece: Plush) -> tuple[float, float]:
     """Azimuth and elevation, radians, of one who looks at a piece as a whole."""
     import numpy as np
@@ -232,17 +250,28 @@ def stand(piece: Plush) -> tuple[float, float]:
     if pattern.terms and not any(part.up == "side" for part in pattern.parts):
         return AHEAD  # a ball that is wider than high stands all the same
     _, high, deep = np.ptp(trunk(piece), axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
-    return AHEAD if deep <= _LONG * high else QUARTER if looks_ahead(piece) else ASIDE
+    looks, aside = eyed(piece) or (1.0 if deep <= _LONG * high else 0.0, 0.0)
+    if abs(aside) > _OFF and not several_toys(piece):
+        return AHEAD[0] + aside, AHEAD[1]  # its face was put where its front is not
+    if deep <= _LONG * high:
+        return AHEAD if looks > _SIDEWAYS else QUARTER
+    return QUARTER if looks > _LOOKS else ASIDE
 
 
-def looks_ahead(piece: Plush) -> bool:
-    """Whether a piece has eyes, and they look ahead and not to its sides."""
+def eyed(piece: Plush) -> tuple[float, float] | None:
+    """How far ahead the eyes of a piece look, in the mean, as a cosine, and radians to the left of where they look together;
+    None where it has none."""
+    from math import atan2
+
     from tambour.crochet.finish.features import placed
     from tambour.crochet.language.finishes import Eye
 
     found = placed(piece.built, piece.positions)
-    ways = [frames.normals[0, 2] for record, frames in zip(found.records, found.where) if isinstance(record, Eye)]
-    return bool(ways) and sum(ways) > _LOOKS * len(ways)
+    ways = [frames.normals[0] for record, frames in zip(found.records, found.where) if isinstance(record, Eye)]
+    if not ways:
+        return None
+    x, z = (float(sum(way[k] for way in ways)) for k in (0, 2))
+    return z / len(ways), atan2(x, z) if x * x + z * z > _TOGETHER * len(ways) ** 2 else 0.0
 
 
 def trunk(piece: Plush) -> Array:

@@ -326,9 +326,13 @@ class Putter(Jointer):
         if pole is not None:
             return replace(pole, span=put.span), way
         near = host.near(self._off_the_eyes(put, host, host.towards(direction), k))
-        if put.kind == "ear" and eyes is not None and eyes[0] == host.name and float(host.axis[2]) < -0.7:
-            # Of what looks ahead the ears are behind the eyes, whose rounds may be said.
-            level = min(max(host.near(p).round for p in eyes[1]) + _BEHIND_EYES, float(host.high))
+        if put.kind in ("ear", "horn") and eyes is not None and eyes[0] == host.name and float(host.axis[2]) < -0.7:
+            # Of what looks ahead the ears and the horns are behind the eyes, whose rounds may be said.
+            clear = max(
+                _BEHIND_EYES if put.kind == "ear" else 1.0,
+                math.ceil(self._half(put.copies[k]) + self.deep.get("eye", 0.5)),
+            )
+            level = min(max(host.near(p).round for p in eyes[1]) + clear, float(host.high))
             if near.round < level:
                 near = Spot(host.name, float(int(level)), host.in_round(level, direction))
         if (
