@@ -36,6 +36,8 @@ _SIDEWAYS: Final = 0.4
 """Eyes that look less far ahead are at a head's sides: one sees one of them from there."""
 _TOGETHER: Final = 0.2
 """Eyes at both sides of a head look nowhere together; the square of the least share of their ways that is common."""
+_OF_FACES: Final = frozenset(("eye", "nose", "beak", "muzzle", "face"))
+"""Kinds of parts that make a face."""
 _LIKE: Final = 0.25
 """A piece with so many of the stitches of another is a toy for itself."""
 _OFF: Final = radians(35.0)
@@ -294,9 +296,12 @@ def facing(piece: Plush) -> float | None:
     import numpy as np
 
     from tambour.crochet.finish.features import present
+    from tambour.crochet.language.finishes import Placed
+    from tambour.crochet.places.names import Made
 
     graph = piece.built.graph
-    if present(piece.built) or not len(graph):
+    sewn = {Made(f.part.split(".")[0], 1).kind for f in piece.built.pattern.finish if isinstance(f, Placed)}
+    if present(piece.built) or sewn & _OF_FACES or not len(graph):
         return None
     largest = graph.parts[int(np.argmax([part.end - part.start for part in graph.parts]))]
     own = slice(largest.start, largest.end)
