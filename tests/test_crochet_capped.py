@@ -65,3 +65,11 @@ def test_a_cap_s_crown_lies_on_the_head() -> None:
     assert float(wig[:, 1].max() - head[:, 1].max()) < 2.0 * high  # it stood five stitches above, as a fez does
     assert float(head[:, 1].max() - wig[:, 1].min()) > 3.5 * high
     assert float(np.ptp(head[:, 1])) > 13.5 * high  # and does not press it flat: by itself it is fifteen high
+
+
+def test_a_sun_hat_is_pushed_back_from_the_eyes() -> None:
+    brim = "Rnd 9: inc x 24 (48)\nRnds 10-14: sc around (48)\n"
+    said = "Insert safety eyes between rounds 9 and 10, 6 sts apart.\nSew the hat to the top of the head.\n"
+    text = f"{HEAD.replace('HEAD', 'HEAD (from the top)')}HAT\n{CAP}{brim}Fasten off.\n\nASSEMBLY\n{said}"
+    piece = make(Text(text, "toy.txt"), CrochetParams(tolerance=0.5, detail="low"), Progress())
+    assert piece.upright is not None and piece.upright[-1][2] < -0.1 < piece.upright[0][2]

@@ -96,3 +96,15 @@ def test_what_lies_flat_shows_its_right_side() -> None:
     over = portrait.turned(flat) if portrait.face_down(made) else flat
     assert vertex_normals(over.vertices, over.faces)[:, 1].mean() > 0.8
     assert not portrait.face_down(make(Text(disc + ": 24 sc\n" * 6), CrochetParams(), Progress()))  # a cup stands
+
+
+def test_one_eye_at_least_is_seen_of_a_head_with_eyes_at_its_sides_and_a_face_beside_the_front_is_looked_at() -> None:
+    head = "HEAD\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnds 4-8: sc around (18)\nRnd 9: (sc, dec) x 6 (12)\n"
+
+    def azimuth(said: str) -> float:
+        made = make(Text(f"Toy\n\n{head}Fasten off.\n\n{said}\n", "toy.txt"), CrochetParams(solver="none"), Progress())
+        return portrait.stand(made)[0]
+
+    ahead = azimuth("Insert safety eyes between rounds 5 and 6, 4 sts apart.")
+    aside = azimuth("Insert safety eyes between rounds 5 and 6, 9 sts apart.")
+    assert (ahead, aside) == (portrait.AHEAD[0], portrait.QUARTER[0])

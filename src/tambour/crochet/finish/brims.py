@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from tambour.crochet.finish.shape import Task
 
 HATS = re.compile(r"\b(?:hats?|caps?|bonnets?|helmets?|hut|mütze|sombrero|gorro|chapeau|bonnet|hoed|muts)\b")
-ANGLES = (8.0, 16.0, 24.0, 32.0, 40.0)
+ANGLES = (8.0, 16.0, 24.0, 32.0, 40.0, 48.0)
 """A hat is pushed back by the least of these, in degrees, that frees the eyes; by none where none does."""
 SIGHT = math.radians(13.0)
 """Who looks at the toy looks down on it by so much."""
-FREE = 0.8
+FREE = 0.9
 """So many stitches about the line of sight nothing hangs."""
 FAR = np.arange(1.0, 16.0)
 """Where on the line of sight, in stitches before an eye."""
@@ -47,9 +47,10 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
             bear |= more
         worn, head = graph.parts[part], graph.parts[host]
         middle = x[head.start : head.end].mean(0)
-        points = frames(spots, x, [e.spot for e in mine], joined.upright).points
-        ahead = np.array([0.0, math.sin(SIGHT), math.cos(SIGHT)])
-        sight = (points[:, None] + FAR[:, None] * graph.stitch_width * ahead).reshape(-1, 3)
+        where = frames(spots, x, [e.spot for e in mine], joined.upright)
+        ahead = np.broadcast_to([0.0, math.sin(SIGHT), math.cos(SIGHT)], where.normals.shape)
+        ways = np.stack([ahead, where.normals])[:, :, None]
+        sight = (where.points[:, None] + FAR[:, None] * graph.stitch_width * ways).reshape(-1, 3)
         hat = x[worn.start : worn.end] - middle
         for angle in (0.0, *ANGLES):
             turn = _back(angle)

@@ -249,13 +249,13 @@ def stand(piece: Plush) -> tuple[float, float]:
     if face is not None:
         return AHEAD[0] + face, AHEAD[1]
     pattern = piece.built.pattern
-    if pattern.terms and not any(part.up == "side" for part in pattern.parts):
-        return AHEAD  # a ball that is wider than high stands all the same
     _, high, deep = np.ptp(trunk(piece), axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
-    looks, aside = eyed(piece) or (1.0 if deep <= _LONG * high else 0.0, 0.0)
+    # A ball that is wider than high stands all the same.
+    stands = deep <= _LONG * high or bool(pattern.terms and not any(part.up == "side" for part in pattern.parts))
+    looks, aside = eyed(piece) or (1.0 if stands else 0.0, 0.0)
     if abs(aside) > _OFF and not several_toys(piece):
         return AHEAD[0] + aside, AHEAD[1]  # its face was put where its front is not
-    if deep <= _LONG * high:
+    if stands:
         return AHEAD if looks > _SIDEWAYS else QUARTER
     return QUARTER if looks > _LOOKS else ASIDE
 

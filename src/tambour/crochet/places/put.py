@@ -114,7 +114,8 @@ class Putter(Jointer):
         if lies and "back" in put.where.words and kind in _ON_BACKS:  # the back of what lies is on top
             put = replace(put, where=replace(put.where, words=put.where.words - {"back", "middle"} | {"top"}))
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
-        if kind == "wing" and len(ways) == 2 and "back" in put.where.words and "sides" not in put.where.words:
+        behind = "back" in put.where.words and "sides" not in put.where.words and "rear" not in made.words
+        if kind == "wing" and len(ways) == 2 and behind:
             ways = [replace(way, at=(0.45 * math.copysign(1.0, way.at[0]), *way.at[1:])) for way in ways]
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         two = made.copies == 2 and made not in work.layered  # two layers are one thing
