@@ -70,28 +70,43 @@ def pairs(
         key[i] = ((int(w) + 1) * ny + int(v) + 1) * nx + int(u) + 1
     order = np.argsort(key, kind="mergesort")
     ranked = key[order]
+    # The rows of three cells about each cell, from where to where in that order: cells and rows are walked along side by side.
+    cell_of, cells = np.empty(n, np.int64), np.empty(n, np.int64)
+    count = 0
+    for k in range(n):
+        if k == 0 or ranked[k] != ranked[k - 1]:
+            cells[count] = ranked[k]
+            count += 1
+        cell_of[order[k]] = count - 1
+    begins, ends = np.empty((count, 9), np.int64), np.empty((count, 9), np.int64)
+    for row in range(9):
+        middle = ((row // 3 - 1) * ny + row % 3 - 1) * nx
+        begin = end = 0
+        for c in range(count):
+            while begin < n and ranked[begin] < cells[c] + middle - 1:
+                begin += 1
+            while end < n and ranked[end] <= cells[c] + middle + 1:
+                end += 1
+            begins[c, row], ends[c, row] = begin, end
     found = 0
     for i in range(n):
-        for w in range(-1, 2):
-            for v in range(-1, 2):
-                base = key[i] + (w * ny + v) * nx
-                for k in range(np.searchsorted(ranked, base - 1), n):
-                    if ranked[k] > base + 1:
-                        break
-                    j = order[k]
-                    if j >= i:
-                        continue
-                    dx, dy, dz = x[i, 0] - x[j, 0], x[i, 1] - x[j, 1], x[i, 2] - x[j, 2]
-                    r2 = dx * dx + dy * dy + dz * dz
-                    if r2 >= (far + skin) ** 2:
-                        continue
-                    hops = _between(offsets, neighbours, i, j)
-                    h = near if hops <= 3 else far
-                    if hops == 1 or r2 >= (h + skin) ** 2:
-                        continue
-                    if found < len(out):
-                        out[found, 0], out[found, 1], reach[found] = i, j, h
-                    found += 1
+        c = cell_of[i]
+        for row in range(9):
+            for k in range(begins[c, row], ends[c, row]):
+                j = order[k]
+                if j >= i:
+                    continue
+                dx, dy, dz = x[i, 0] - x[j, 0], x[i, 1] - x[j, 1], x[i, 2] - x[j, 2]
+                r2 = dx * dx + dy * dy + dz * dz
+                if r2 >= (far + skin) ** 2:
+                    continue
+                hops = _between(offsets, neighbours, i, j)
+                h = near if hops <= 3 else far
+                if hops == 1 or r2 >= (h + skin) ** 2:
+                    continue
+                if found < len(out):
+                    out[found, 0], out[found, 1], reach[found] = i, j, h
+                found += 1
     return found
 
 

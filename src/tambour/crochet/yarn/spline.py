@@ -5,7 +5,18 @@ from __future__ import annotations
 import math
 
 from tambour.core.arrays import B1x1, F8x2, I8x1
+from tambour.core.check import Array
 from tambour.core.kernels import kernel
+
+
+@kernel
+def _root(coords: Array, i: int) -> float:
+    """The root of the distance between a point and the next."""
+    size = 0.0
+    for c in range(3):
+        step = coords[i + 1, c] - coords[i, c]
+        size += step * step
+    return max(math.sqrt(math.sqrt(size)), 1e-9)
 
 
 @kernel
@@ -19,18 +30,9 @@ def smooth(coords: F8x2, offsets: I8x1, times: int, out: F8x2) -> None:
     at = 0
     for s in range(len(offsets) - 1):
         first, last = offsets[s], offsets[s + 1] - 1
-        before = 0.0
+        before = size = _root(coords, first) if last > first else 0.0
         for i in range(first, last):
-            size = after = 0.0
-            for c in range(3):
-                step = coords[i + 1, c] - coords[i, c]
-                size += step * step
-                if i + 2 <= last:
-                    step = coords[i + 2, c] - coords[i + 1, c]
-                after += step * step
-            size, after = max(math.sqrt(math.sqrt(size)), 1e-9), max(math.sqrt(math.sqrt(after)), 1e-9)
-            if i == first:
-                before = size
+            after = _root(coords, i + 1) if i + 2 <= last else size
             for c in range(3):
                 b, d = coords[i, c], coords[i + 1, c]
                 a = coords[i - 1, c] if i > first else 2 * b - d
@@ -43,7 +45,7 @@ def smooth(coords: F8x2, offsets: I8x1, times: int, out: F8x2) -> None:
                     u = r * (3.0 - 2.0 * t)
                     out[at + k, c] = b + (d - b) * u + (t - r) * ((1.0 - t) * p - t * q)
             at += times
-            before = size
+            before, size = size, after
         if last >= first:
             out[at] = coords[last]
             at += 1
