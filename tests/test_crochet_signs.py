@@ -505,3 +505,55 @@ def test_an_ordinal_with_another_ending_is_one() -> None:
     rounds = "".join(f"{n}{'rd' if n in (13, 14) else 'th'} rnd: 1 sc in each st around.\n" for n in range(4, 15))
     text = f"BODY\n1st rnd: 6 sc in magic ring.\n2nd rnd: 2 sc in each st.\n3rd rnd: 1 sc in each st around.\n{rounds}"
     assert edges(text) == ([6, *[12] * 13], 0)
+
+
+HEAD = "HEAD\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\n"
+ECHOES = {  # what is said behind the third round, and the rounds that it is
+    (18, 18, 18): [
+        "Continue without shaping for 3 rounds.",
+        "3 plain rounds",
+        "Sc in each st for 3 rounds.",
+        "For the next three rounds, work 1 sc in each st.",
+        "Work a further 3 rounds straight for the neck.",
+        "Rounds four to six are plain.",
+        "Rnds 4-6: nothing, just sc",
+        "Rnd 4: sc around (18)\n[Rep Rnd 4] 2 times",
+        "Rnd 4: sc around (18)\nWork another 2 rounds the same.",
+        "Rnd 4: sc around (18)\nRepeat this round 2 more times.",
+        "Rnd 4: sc around (18)\nRnds 5-6: see Rnd 4",
+        "Work 2 rounds straight in sc. Break off white, join in red and work 1 round more.",
+    ],
+    (24, 30, 36): [
+        "Cont in this way, working 1 extra sc between incs on each rnd, until the rnd '1sc in each of next 4sc, 2sc in next sc' has been worked. 36 sts.",
+        "Continue in this way, working one more sc between increases until you have 36 sts.",
+        "Rnds 4-6: keep increasing by 6 (36)",
+        "Work 3 more rnds in this way, inc 6 sts on each rnd. 36 sts.",
+        "4th-6th rnds: As set, having 1 more sc between incs each rnd. 36 sts.",
+    ],
+    (19, 18, 17): [  # a count behind a dash is no more of them to work
+        "Rnd 4: 17 sc, inc—19 sc.\nRnd 5: Sc in next 17 sc, sc2tog—18 sc.\nRnd 6: sc to last 2 sts, sc2tog – 17 sc",
+    ],
+}
+BEGUN = [
+    "With blue, work 1st to 3rd rnds of Head. 18 sts.",
+    "Rounds 1–3 of the Head, all in blue (18)",
+    "Work the first three rounds exactly as you did for the head.",
+    "Work as Head up to and including Rnd 3.",
+    "Follow the instructions for the head for rounds 1-3",
+    "R1-3: = Head",
+    "The first three rounds are the same as those of the Head.",
+]
+
+
+@pytest.mark.parametrize("made", ECHOES)
+def test_rounds_are_said_by_others_as_anybody_likes(made: tuple[int, ...]) -> None:
+    for said in ECHOES[made]:
+        assert edges(f"{HEAD}{said}\nFasten off.\n") == ([6, 12, 18, *made], 0), said
+
+
+def test_the_first_rounds_are_those_of_another_piece_as_anybody_likes() -> None:
+    for said in BEGUN:
+        assert edges(f"{HEAD}Fasten off.\n\nBODY\n{said}\nRnd 4: (2 sc, inc) x 6 (24)\n") == (
+            [6, 12, 18, 6, 12, 18, 24],
+            0,
+        ), said

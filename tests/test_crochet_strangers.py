@@ -17,7 +17,7 @@ SHARES = [
     ("strangers", "*", 0.95),
     ("fresh", "*", 0.95),
     ("unseen", "*", 0.79),
-    ("further", "*", 0.65),
+    ("further", "*", 0.73),
 ]
 """Which texts, and what share of their rounds was read right; it may only rise."""
 PLANTED = {  # text → the count that is wrong in it, and what its round makes

@@ -17,7 +17,8 @@ _ABOUT: Final = frozenset(
     ("terms", "term", "terminology", "abbreviations", "crochet", "pattern", "stitches", "notation", "instructions")
 )
 _US: Final = ("sc", "hdc", "scs", "hdcs", "sctog")
-_UK: Final = ("htr", "htrs", "dtr", "miss", "htrtog")
+_UK: Final = ("htr", "htrs", "dtr", "miss", "htrtog", "yrh", "tension")
+_GAUGE: Final = frozenset(("measure", "measures", "tension", "gauge", "cm", "cms", "square"))
 _LOOKED_AT: Final = 3000  # lines
 
 
@@ -179,7 +180,7 @@ def _rings(rows: list[Row]) -> list[int]:
     found = []
     for row in rows:
         words = [t.word for t in row.tokens]
-        if not {"ring", "mr", "circle", "loop", "hook"} & set(words):
+        if not {"ring", "mr", "circle", "loop", "hook"} & set(words) or not _GAUGE.isdisjoint(words):
             continue
         for k, token in enumerate(row.tokens[:-1]):
             if token.kind == "number" and isinstance(token.value, int) and row.tokens[k + 1].word in ("dc", "double"):

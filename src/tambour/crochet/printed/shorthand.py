@@ -49,18 +49,25 @@ def _apart(tokens: list[Token]) -> list[Token]:
     if _BETWEEN.isdisjoint({t.word for t in tokens}):
         return tokens
     made = list(tokens)
+    listed = False
     for k in range(1, len(tokens) - 1):
         if tokens[k].word not in _BETWEEN or tokens[k - 1].kind != "stitch":
             continue
         behind = tokens[k + 1 : k + 3]
         counted = len(behind) == 2 and behind[0].kind == "number" and behind[1].kind == "stitch"
         shapes = [t.value for t in (tokens[k - 1], *behind[: 1 + counted])]
+        ended = k + 3 >= len(tokens) or tokens[k + 3].word in _PAST
+        if counted and ended and tokens[k].word == "-" and not listed and behind[1].value not in _SHAPED:
+            continue  # "16 sc, sc2tog—17 sc.": how many there are now
         if (behind[0].kind == "stitch" or counted) and any(value in _SHAPED for value in shapes):
             made[k] = replace(tokens[k], word=",")
+            listed = True
     return made
 
 
 _BETWEEN: Final = frozenset("-/+")
+_PAST: Final = frozenset((".", ";", "(", "[", "*", "**"))
+"""Behind a number of stitches these end the sentence."""
 
 
 def _singles(tokens: list[Token]) -> list[Token]:

@@ -17,6 +17,7 @@ from tambour.crochet.printed.banners import banners
 from tambour.crochet.printed.bilingual import first
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.columns import columned
+from tambour.crochet.printed.echoes import echoed
 from tambour.crochet.printed.edges import ended
 from tambour.crochet.printed.heads import head
 from tambour.crochet.printed.idioms import plainly
@@ -108,7 +109,7 @@ class State:
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
-            self.rows = told(ended(plainly(self.rows, self.vocabulary)))
+            self.rows = echoed(told(ended(plainly(self.rows, self.vocabulary))))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
