@@ -17,7 +17,7 @@ import numpy as np
 
 from tambour.core.arrays import F8x1, F8x2
 from tambour.core.kernels import kernel
-from tambour.crochet.yarn import clearance, loops
+from tambour.crochet.yarn import clearance, loops, near
 from tambour.crochet.yarn.loops import BAR, LOOP, RATIO, TOP
 
 LENGTH = 8.0
@@ -212,8 +212,8 @@ def rested(
             )
         before = lattice()
         after = before.copy()
-        near = clearance._pairs(after, ends, 1.15, clearance.ALONG)
-        clearance.push(after, near, 1.005, 1.005, 2, 1.0, 0, np.zeros(len(after), np.bool_))
+        close = near.pairs(after, ends, 1.15, clearance.ALONG)
+        clearance.push(after, close, 1.005, 1.005, 2, 1.0, 0, np.zeros(len(after), np.bool_))
         # What happens to the stitches in the middle happens to all.
         move = RATIO * (after - before).reshape(7, 9, len(line), 3)[2:5, 3:6].mean((0, 1))
         made += np.column_stack([move[:, 0] + lean * move[:, 1] / high, move[:, 1] / high, move[:, 2]])

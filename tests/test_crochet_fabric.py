@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tambour.core import threads
 from tambour.core.errors import Text
 from tambour.core.graph import JOIN, ROOT, SEWN, StitchGraph
 from tambour.core.mesh import Mesh
@@ -22,7 +23,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
-from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, spline, surface
+from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, near, spline, surface
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -183,6 +184,45 @@ def test_what_comes_near_while_others_are_pushed_apart_is_seen() -> None:
     ends = np.array([0, 12, 24, 36])
     clearance.clear(coords, ends, 1.0, looks=16)
     assert clearance.distances(coords, ends, 1.0, 0.95)[1].size == 0
+
+
+def test_no_byte_depends_on_how_many_push_strands_apart_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However pairs are dealt out: in one block by one worker, or in many, whose rounds overtake each other, by three."""
+    start = np.cumsum(np.random.default_rng(5).normal(size=(900, 3)), axis=0) % 7.0
+    found = set()
+    for workers, blocks in ((1, 1), (3, 9), (3, 60)):
+        monkeypatch.setattr(threads, "WORKERS", workers)
+        monkeypatch.setattr(clearance, "FEW", 10 if blocks > 1 else 10**9)
+        monkeypatch.setattr(clearance, "BLOCKS", blocks)
+        monkeypatch.setattr(near, "BLOCK", 900 // blocks)
+        coords = start.copy()
+        clearance.clear(coords, np.array([0, 400, 401, 900]), 0.5, looks=3)
+        found.add(coords.tobytes())
+    assert len(found) == 1
+    assert found != {start.tobytes()}
+
+
+@pytest.mark.parametrize("workers", [1, 4])
+def test_what_is_tied_keeps_its_turns(monkeypatch: pytest.MonkeyPatch, workers: int) -> None:
+    """Each block writes down what its neighbours had written: the same story as in plain turns; and an error ends all."""
+    monkeypatch.setattr(threads, "WORKERS", workers)
+    ties = [[abs(a - b) <= 1 for b in range(6)] for a in range(6)]
+    told, wanted = np.arange(6.0), np.arange(6.0)
+
+    def tell(story: np.ndarray, number: int, b: int) -> None:
+        story[b] = 0.7 * story[b] + story[max(b - 1, 0)] - 0.2 * story[min(b + 1, 5)] + number
+
+    for number in range(5):
+        for b in range(6):
+            tell(wanted, number, b)
+    threads.in_turn(5, ties, lambda number, b: tell(told, number, b))
+    assert told.tobytes() == wanted.tobytes()
+
+    def fail(number: int, b: int) -> None:
+        raise ValueError(b)
+
+    with pytest.raises(ValueError, match="0"):
+        threads.in_turn(5, ties, fail)
 
 
 @pytest.mark.slow

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from heapq import heappop, heappush
+from threading import Condition
 
 from tambour.core.errors import TambourError
 
@@ -36,4 +38,54 @@ def share(count: int, block: int, work: Callable[[int, int], None]) -> None:
         return
     with ThreadPoolExecutor(WORKERS) as pool:
         for done in [pool.submit(work, *span) for span in spans]:
+            done.result()
+
+
+def in_turn(rounds: int, ties: Sequence[Sequence[bool]], work: Callable[[int, int], None]) -> None:
+    """Call ``work(round, block)`` for every block in every round, several at a time, as if one came after the other.
+
+    ties : (B, B), symmetric, which blocks change what others look at, each itself: those keep their turns, within a round and from
+    one to the next. Others do not wait for each other: then no byte depends on the number of workers.
+    """
+    count = len(ties)
+    if count <= 1 or WORKERS == 1:
+        for number in range(rounds):
+            for b in range(count):
+                work(number, b)
+        return
+    before = [[a for a in range(b) if ties[a][b]] for b in range(count)]
+    after = [[a for a in range(b, count) if ties[a][b]] for b in range(count)]
+    waits = {(r, b): len(before[b]) + (len(after[b]) if r else 0) for r in range(rounds) for b in range(count)}
+    ready = [task for task, missing in sorted(waits.items()) if not missing]
+    turn, left, failed = Condition(), len(waits), False
+
+    def hand() -> None:
+        nonlocal left, failed
+        while True:
+            with turn:
+                while not ready and left and not failed:
+                    turn.wait()
+                if not left or failed:
+                    return
+                task = heappop(ready)
+            try:
+                work(*task)
+            except BaseException:
+                with turn:
+                    failed = True
+                    turn.notify_all()
+                raise
+            with turn:
+                left -= 1
+                number, b = task
+                # Those tied to it that come later in this round, and it and those that come earlier in the next.
+                for later in [(number, c) for c in after[b] if c > b] + [(number + 1, c) for c in [*before[b], b]]:
+                    if later in waits:
+                        waits[later] -= 1
+                        if not waits[later]:
+                            heappush(ready, later)
+                turn.notify_all()
+
+    with ThreadPoolExecutor(WORKERS) as pool:
+        for done in [pool.submit(hand) for _ in range(WORKERS)]:
             done.result()

@@ -11,12 +11,14 @@ from tambour.core.graph import ROOT, StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
 from tambour.core.strands import Strands
+from tambour.core.threads import share
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
 from tambour.crochet.yarn.edges import arched, domed, eased, level, slipped
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO, TALL
+from tambour.crochet.yarn.near import BLOCK
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.geometry.motion import length
@@ -81,26 +83,31 @@ def strands(
     rows = course(graph, x, LEAN[hold])
     at = _upright(_varied(led), led, graph, rows, LEAN[hold])
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
-    place(
-        led.cell,
-        led.below,
-        at,
-        graph.height,
-        graph.direction,
-        2 * radius / RATIO,
-        rows.x,
-        rows.along,
-        rows.normal,
-        rows.up,
-        rows.after,
-        rows.before,
-        rows.foot,
-        rows.pace,
-        rows.host,
-        rows.slip,
-        graph.peculiarity == ROOT,
-        np.diff(graph.anchor_offsets) == 0,
-        coords,
+    root, free = graph.peculiarity == ROOT, np.diff(graph.anchor_offsets) == 0
+    share(
+        len(coords),
+        BLOCK,
+        lambda a, b: place(
+            led.cell[a:b],
+            led.below[a:b],
+            at[a:b],
+            graph.height,
+            graph.direction,
+            2 * radius / RATIO,
+            rows.x,
+            rows.along,
+            rows.normal,
+            rows.up,
+            rows.after,
+            rows.before,
+            rows.foot,
+            rows.pace,
+            rows.host,
+            rows.slip,
+            root,
+            free,
+            coords[a:b],
+        ),
     )
     hung = hanging(graph, led)
     if hung.any():
