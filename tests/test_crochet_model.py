@@ -23,6 +23,7 @@ from tambour.core.progress import Progress
 from tambour.crochet import plush
 from tambour.crochet.finish import shape
 from tambour.crochet.finish.placing import frames
+from tambour.crochet.finish.poised import poised
 from tambour.crochet.finish.sewing import End, ways
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
@@ -30,6 +31,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot, Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
+from tambour.crochet.model import stance
 from tambour.crochet.model.assemble import Piece
 from tambour.crochet.model.bends import GENTLE, arched, heights, leaning, needed
 from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
@@ -49,7 +51,7 @@ from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.seating import Rest, alike, longer, nudged, singly
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.threads import most
-from tambour.crochet.model.tips import Mirror, choose, facing, mirror, stands
+from tambour.crochet.model.tips import Mirror, choose, facing, level, mirror, stands
 from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import area, bodies, refined, volume, where
 from tambour.crochet.page import instructions
@@ -486,13 +488,64 @@ def test_a_part_that_spun_while_it_came_to_rest_is_stood_up_again(monkeypatch: p
     assert np.trace(turn) > 2.9
 
 
-def test_a_plush_is_turned_with_the_ways_that_are_up_on_its_parts() -> None:
-    parts = "".join(f"== {name} ==\nR1: MR(6)\nR2: 6 inc\nR3: 12 sc\n" for name in ("Body", "Arm"))
-    piece = plush.make(Text(parts + "place(Arm, Body, round=2, stitch=3)\n"), CrochetParams(), Progress())
-    lying = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    laid_down = plush.stood(piece, lying)
-    assert laid_down.positions == pytest.approx(piece.positions @ lying.T)
-    assert laid_down.upright == pytest.approx(piece.upright @ lying.T)
+STANDING = """== Body ==
+@up = back
+@top = 4-2
+@front = 6-9
+R1: MR(6)
+R2: [inc] x 6 (12)
+R3-4: 12 sc (12)
+R5: [sc, inc] x 6 (18)
+R6-8: 18 sc (18)
+R9: [sc, dec] x 6 (12)
+R10: 6 dec (6)
+FO
+== Leg (make 2) ==
+R1: MR(6)
+R2-3: 6 sc
+place(Leg.1, Body, round=5, stitch=11)
+place(Leg.2, Body, round=5, stitch=15)
+"""
+
+
+@pytest.mark.parametrize("terms", ["us", "de", "nl", "fr", "es"])
+@pytest.mark.parametrize("legs", [False, True])
+def test_a_pattern_says_how_its_toy_stands_and_read_back_it_stands_so(terms: str, legs: bool) -> None:
+    text = STANDING if legs else STANDING.partition("== Leg")[0]
+    piece = plush.make(Text(text, "toy.acl"), CrochetParams(), Progress())
+    graph, x = piece.built.graph, piece.positions
+    body = graph.parts[0]
+    off = x[body.start : body.end] - x[body.start : body.end].mean(0)
+    rounds_of = Spots(piece.built)
+    for side, (number, stitch) in ((1, (4, 2)), (2, (6, 9))):
+        way = off[rounds_of.stitches(number - 1)[stitch - 1] - body.start]
+        assert way[side] / np.sqrt((way**2).sum()) > 0.8
+    told = Text(instructions.instructions(piece.built, terms).text, "toy.txt")
+    again = plush.make(told, CrochetParams(), Progress())
+    assert (again.built.graph.parent == graph.parent).all() and again.positions == pytest.approx(x, abs=1e-6)
+
+
+def test_a_stance_is_heard_among_a_persons_own_words_and_a_stitch_that_is_not_there_is_told() -> None:
+    said = instructions.instructions(build(parse(Text(STANDING)))).text
+    assert "Worked from the back to the front." in said and "As it stands, its top is at Rnd 4, st 2," in said
+    others = said.replace("## Leg", "I like to use a stitch marker here.\n\n## Leg")
+    assert read(Text(others, "toy.txt")).parts[0].stands == ((4.0, 2.0), (6.0, 9.0))
+    for wrong, message in (("Rnd 40, st 2", "no round 40"), ("Rnd 4, st 20", "has 12 stitches, not 20")):
+        progress = Progress()
+        plush.make(Text(said.replace("Rnd 4, st 2,", f"{wrong},"), "toy.txt"), CrochetParams(solver="none"), progress)
+        assert any(message in warning.message for warning in progress.warnings), wrong
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_two_stitches_say_how_a_body_stands(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    part = Rounds("Body", 6, (even(6, 12), even(12, 24), *(Round(("sc",) * 24),) * 6, even(24, 12), even(12, 6)))
+    x = settled(part, CrochetParams()).x
+    turn, _ = fit(rng.normal(size=(9, 3)), rng.normal(size=(9, 3)), np.ones(9))
+    found = stance.stands(part, x, turned(x, turn) + 7.0)
+    spots = Spots(build(pattern([replace(part, stands=found)])))
+    moved, _ = fit(poised(spots, x, 0), turned(x, turn), np.ones(len(x)))
+    assert math.degrees(math.acos(np.clip(0.5 * (np.trace(moved) - 1.0), -1.0, 1.0))) < 8.0
 
 
 def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:
@@ -855,6 +908,23 @@ def test_an_animal_looks_ahead_with_its_head_and_the_front_can_be_said() -> None
     for side, axis in (("front", (0, 0, 1)), ("back", (0, 0, -1)), ("right", (1, 0, 0)), ("left", (-1, 0, 0))):
         made = facing(x, faces, side)
         assert (made @ np.array(axis) == [0, 0, 1]).all() and np.linalg.det(made) == pytest.approx(1.0)
+
+
+def test_what_would_fall_over_stands_on_its_feet_and_what_strides_looks_to_where_its_head_is() -> None:
+    body, own = globe(10.0, 12)
+    head, other = globe(5.0, 12)
+    legs = [0.2 * body + [a, b, -9.0] for a in (-4, 4) for b in (-7, 7)]
+    parts = [body * [0.4, 1.0, 0.4], head + np.array([0.0, 9.0, 9.0]), *legs]
+    first = np.cumsum([0, *(len(p) for p in parts)])
+    faces = np.concatenate([(other if k == 1 else own) + n for k, n in zip(range(len(parts)), first)])
+    x = np.concatenate(parts)  # as it comes from a program whose z is up
+    turn = level(x, faces, None)
+    assert (turn[1] == [0, 0, 1]).all() and (level(x @ turn.T, faces, None) == np.eye(3)).all()
+    parts[2] = parts[2] + [-9.0, 6.0, 2.0]  # one leg ahead and aside
+    stride = np.concatenate(parts) @ turn.T @ facing(x, faces, "right").T
+    assert mirror(stride, faces) is None
+    ahead = stride @ facing(stride, faces, None).T
+    assert ahead[first[1] : first[2], 2].mean() > 5.0
 
 
 @pytest.mark.slow

@@ -11,7 +11,6 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 
 if TYPE_CHECKING:
-    from tambour.core.check import Array
     from tambour.core.drawing import Drawing
     from tambour.core.mesh import Mesh as Model
     from tambour.crochet.finish.joining import Joining
@@ -61,29 +60,14 @@ def make(source: Text | Drawing | Model | None, params: CrochetParams, progress:
 
 def _modelled(mesh: Model, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of the pattern that a model becomes, and how far it lies from the model."""
-    import numpy as np
-
     from tambour.crochet.model.compare import aimed
     from tambour.crochet.model.design import design
-    from tambour.geometry.motion import fit
 
     made = design(mesh, params, progress, mesh.name or "model")
     built, joining, known = _built(made.text, params, progress)
     piece = _shaped(built, joining, params, known, progress)
     with progress.stage("compare"):
-        turn, _ = fit(piece.positions, made.goals, np.ones(len(made.goals)))
-        piece = stood(piece, turn)
         return replace(piece, aim=aimed(made, piece))
-
-
-def stood(piece: Plush, turn: Array) -> Plush:
-    """A plush turned by ``turn`` (3, 3): one that was made for a model stands as the model does, however its fabric bends."""
-    from tambour.geometry.motion import turned
-
-    joined, shape = piece.shape.joined, piece.shape
-    if joined is not None:
-        shape = replace(shape, joined=replace(joined, upright=turned(joined.upright, turn)))
-    return replace(piece, shape=shape, positions=turned(piece.positions, turn), centroids=turned(piece.centroids, turn))
 
 
 def _text(source: Text | Drawing, params: CrochetParams, progress: Progress) -> Text:
@@ -127,9 +111,11 @@ def worked(source: Text, params: CrochetParams) -> tuple[Built, list[Problem]]:
 def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Built, Joining | None, Gauge]:
     """A pattern's text worked, what is sewn on how, and the gauge."""
     from tambour.crochet.finish.joining import crowded, prepare, prepare_what_stands
+    from tambour.crochet.finish.poised import doubts
     from tambour.crochet.finish.pose import pose
     from tambour.crochet.finish.twist import twisted
     from tambour.crochet.graph.build import build
+    from tambour.crochet.graph.spots import Spots
     from tambour.crochet.maker.gauge import gauge, odd_hook
     from tambour.crochet.printed.choose import read
 
@@ -154,7 +140,7 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
         progress.warn(*doubt)
     if joining is not None:
         said += [*joining.doubts, *crowded(joining)]
-    said += twisted(built)
+    said += [*twisted(built), *(doubts(Spots(built)) if any(part.stands for part in built.pattern.parts) else ())]
     if params.check:
         from tambour.crochet.graph.check import tech_edit
 
@@ -174,8 +160,10 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     from tambour.crochet.finish.features import doubts
     from tambour.crochet.finish.joining import flat_parts, with_seams
     from tambour.crochet.finish.placing import standing
+    from tambour.crochet.finish.poised import set_up
     from tambour.crochet.finish.pulled import pulled
-    from tambour.crochet.finish.shape import Task, seen, simulate
+    from tambour.crochet.finish.shape import Task, carried, seen, simulate
+    from tambour.crochet.graph.spots import Spots
     from tambour.crochet.settle.body import centroid_counts
     from tambour.crochet.table import laid_out
 
@@ -197,7 +185,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         snug = stuffing == "pressure" and params.solver == "settle"
         usual = params.bending == CrochetParams.model_fields["bending"].default
         several = len(built.parts) > 1 or joining is not None
-        laid = flat_parts(built) if several and built.pattern.terms and usual else frozenset()
+        laid = flat_parts(built) if several and not built.pattern.exact and usual else frozenset()
 
         def tell(look: Look) -> None:
             progress.step(look.done, look.total)
@@ -224,7 +212,10 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     x, c = shape.x * stitch[0], shape.c * stitch[0]
     if params.solver == "settle" and shape.joined is None:
         x, c = standing(x, built.up), standing(c, built.up)
-    if params.solver == "settle" and built.pattern.terms:
+        if shape.task is not None and any(part.stands for part in built.pattern.parts):
+            up = set_up(Spots(built), x)
+            x, c = up, carried(shape.task, x, up, c)
+    if params.solver == "settle" and not built.pattern.exact:
         x = laid_out(built, x)
     if params.check:
         from tambour.crochet.graph.check import size_edit

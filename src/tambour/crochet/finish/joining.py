@@ -18,6 +18,7 @@ from tambour.crochet.finish.capped import across, drawn_over, lid_on, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
 from tambour.crochet.finish.hanging import hung, laid_on
 from tambour.crochet.finish.placing import Frames, frames, level, standing
+from tambour.crochet.finish.poised import poised
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
@@ -270,7 +271,9 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         # What stands by itself stands as its pattern says; the rest is turned where it is placed.
         if b not in onto and (up := built.pattern.parts[fact.section].up):
             x[span.start : span.end] = standing(x[span.start : span.end], up)
-    nodded = _nodded(joining, x, body, onto) if built.pattern.terms else {}
+    for k, b in enumerate(body):
+        x = poised(spots, x, k) if b not in onto else x
+    nodded = {} if built.pattern.exact else _nodded(joining, x, body, onto)
     upright = np.tile([0.0, 1.0, 0.0], (len(graph.parts), 1))
     group = {b: [b] for b in range(len(bodies))}
     shell = graph.faces[built.shell]
@@ -299,13 +302,13 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
             )  # a body hangs straight down from a head
         elif f.points is not None:
             f = gaze.pointing(f, frame)
-        elif built.pattern.terms:
+        elif not built.pattern.exact:
             f = gaze.nodding(spots, x, own, how, f, end, frame)
         straight = sewing.brought(x, own, how, *sewing.ways(f, end, frame, False), frame.points[0])
         fixed = np.concatenate([bodies[b] for b in group[body[other]]])
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
         at_end = np.isin(own, end.nodes)
-        if built.pattern.terms:
+        if not built.pattern.exact:
             f = sewing.swung_out(x, own, how, f, end, frame, at_end, x[fixed], outward[fixed])
         ways = sewing.ways(f, end, frame)
         moved = sewing.brought(x, own, how, *ways, frame.points[0])

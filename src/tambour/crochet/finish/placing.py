@@ -34,10 +34,12 @@ class Frames(NamedTuple):
 
 
 def standing(x: Array, up: str) -> Array:
-    """``x`` (K, 3), worked upwards, as it stands with its ``up``: its end or its start on top, or, ``side``, lying with
-    its start ahead and what was its front above. The front stays in front when it is turned upside down."""
+    """``x`` (K, 3), worked upwards, as it stands with its ``up``: its end or its start on top, or lying with its start
+    (``side``) or its end (``back``) ahead and what was its front above. The front stays in front when it is turned upside down."""
     if up == "side":
         return np.column_stack([x[:, 0], x[:, 2], -x[:, 1]])
+    if up == "back":
+        return np.column_stack([-x[:, 0], x[:, 2], x[:, 1]])
     return x * (-1.0, -1.0, 1.0) if up == "start" else x
 
 

@@ -13,7 +13,7 @@ from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
 from tambour.core.packed import Packed
 from tambour.crochet.finish.limp import lain, limbs
-from tambour.crochet.finish.stood import at_rest, clad, standing, upright
+from tambour.crochet.finish.stood import at_rest, clad, on_its_feet, standing, upright
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.graph.sided import sided
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
@@ -130,10 +130,10 @@ def placed(task: Task, x: Array, c: Array) -> tuple[Task, Array, Array, Joined |
         moved = joined.x
         task = replace(task, graph=with_seams(task.graph, np.concatenate(joined.seams), task.width))
     moved = arrange(task.graph, moved, None if joined is None else joined.held)
-    return task, moved, _carried(task, x, moved, c), joined
+    return task, moved, carried(task, x, moved, c), joined
 
 
-def _carried(task: Task, x: Array, moved: Array, c: Array) -> Array:
+def carried(task: Task, x: Array, moved: Array, c: Array) -> Array:
     """Centroids moved as their parts were, from x to ``moved``."""
     first = np.concatenate([[0], np.cumsum(task.used)])
     c = c.copy()
@@ -288,7 +288,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         yield from settle(nodes)
     if task.joining is not None:
         up = risen(x, begun, parts(graph))
-        x, c = up, _carried(task, x, up, c)
+        x, c = up, carried(task, x, up, c)
     task, x, c, joined = placed(task, x, c)
     x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     graph = task.graph
@@ -301,8 +301,10 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
             yield from settle(np.flatnonzero(piece == k))
     if joined is not None:
         x, c = standing(task, x, c, joined, piece)
-        if task.joining is not None and task.joining.built.pattern.terms:
+        if task.joining is not None and not task.joining.built.pattern.exact:
             x, c = at_rest(task, x, c, joined, piece)
+        elif task.joining is not None and any(s.stands for s in task.joining.built.pattern.parts):
+            x, c = on_its_feet(task, x, c, joined, piece)
         joined = replace(joined, upright=upright(graph, joined, x))
         task, x, joined = clad(task, x, joined, piece)
         if len(task.graph.edges) > len(graph.edges):  # what is worn is no piece beside the toy
@@ -314,7 +316,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
     if len(bodies) > 1:
         if all(v == 1 for v in bodies.values()):
             moved = arrange(graph, x)
-            x, c = moved, _carried(task, x, moved, c)
+            x, c = moved, carried(task, x, moved, c)
         else:
             x, c = _apart(task, x, c, piece)
     residual, move = max(e.residual for e in ends.values()), max(e.move for e in ends.values())

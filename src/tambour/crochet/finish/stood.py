@@ -11,14 +11,12 @@ from tambour.core.check import Array
 from tambour.core.graph import StitchGraph
 from tambour.crochet.finish.brims import pushed_back
 from tambour.crochet.finish.limp import lain, limbs
+from tambour.crochet.finish.poised import TIPS
 from tambour.geometry.motion import fit, turned
 
 if TYPE_CHECKING:
     from tambour.crochet.finish.joining import Joined
     from tambour.crochet.finish.shape import Task
-
-TIPS = 12.0
-"""By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
 
 BACKWARDS = -0.6
 """A face that looks away, as a cosine, is turned to who looks at the toy."""
@@ -78,6 +76,23 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
             c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
         if limp:
             x = lain(x, own, limbs(task, x, joined, own))
+    return x, c
+
+
+def on_its_feet(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
+    """Every sewn toy that stands as its text says turned the little that it takes to rest on what it stands on."""
+    from tambour.geometry.stance import set_down
+
+    x, c = x.copy(), c.copy()
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    for k in np.unique(piece[joined.held[:, 0]]):
+        own = piece == k
+        middle = x[own].mean(0)
+        off = x[own] - middle
+        turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
+        x[own] = turned(off, turn) + middle
+        for p in np.unique(task.graph.part[own]):
+            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
     return x, c
 
 

@@ -381,6 +381,10 @@ class Spots:
                     seen.add(spot)
                     yield from self._problem(spot)
 
+    def problems_of(self, spot: Spot) -> list[Problem]:
+        """What is wrong with a spot."""
+        return list(self._problem(spot))
+
     def _problem(self, spot: Spot) -> Iterator[Problem]:
         part, text = self.parts[spot.part], self.built.pattern.text
         mine = self.rounds_of(part)

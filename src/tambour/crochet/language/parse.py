@@ -12,7 +12,7 @@ from tambour.crochet.language.finishes import check_names, is_finish, read_finis
 from tambour.crochet.language.grammar import read_line, without_comment
 from tambour.crochet.language.items import items
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import RULES, STARTS, STUFFING, standard
+from tambour.crochet.language.stitches import RULES, STARTS, STUFFING, UPS, standard
 from tambour.crochet.language.tree import Action, Again, Item, Line, Pattern, Section, written
 
 # The older dialect's blocks that say where a ring lies.
@@ -176,6 +176,7 @@ def _section(source: Source, draft: _Draft) -> Section:
     plain = Section(draft.name, draft.span, tuple(draft.lines), max(draft.copies, 1), draft.copies_span)
     other: dict[str, str] = {}
     found: dict[str, Any] = {}
+    stands: dict[str, tuple[float, float]] = {}
     for key, (value, at, name) in draft.parameters.items():
         word = value.lower()
         if key == "centroids":
@@ -197,10 +198,12 @@ def _section(source: Source, draft: _Draft) -> Section:
                 known = did_you_mean(word, STARTS) or "rounds or one-by-one"
                 source.error(f'"{value}" is no way to begin', known, at)
         elif key == "up":
-            if word in ("start", "end", "side"):
+            if word in UPS:
                 found[key] = word
             else:
-                hint = "start or end: the one that is on top; side: it lies, its start ahead"
+                hint = (
+                    "start or end: the one that is on top; side: it lies, its start ahead; back: it lies, its end ahead"
+                )
                 source.error(f'"{value}" is no end of the work', hint, at)
         elif key == "hollow":
             if (pair := re.fullmatch(r"(\d{1,6})(?:-(\d{1,6}))?", value)) and int(pair[1]) <= int(pair[2] or pair[1]):
@@ -208,6 +211,12 @@ def _section(source: Source, draft: _Draft) -> Section:
             else:
                 hint = "the numbers of the rounds that are pushed inside, such as 13-17"
                 source.error(f'"{value}" are no rounds', hint, at)
+        elif key in ("top", "front"):
+            if pair := re.fullmatch(r"(\d{1,6})-(\d{1,6})", value):
+                stands[key], found["stands_span"] = (float(pair[1]), float(pair[2])), at
+            else:
+                hint = "the number of a round, and of a stitch in it, such as 22-14"
+                source.error(f'"{value}" is no stitch', hint, at)
         elif key == "tip_from_fo":
             if word in _TRUTH:
                 found[key] = _TRUTH[word]
@@ -216,8 +225,15 @@ def _section(source: Source, draft: _Draft) -> Section:
         else:
             other[key] = value
             source.doubt(
-                f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer, up, hollow", name
+                f'the parameter "{key}" has no effect',
+                "known: centroids, stuffing, initializer, up, top, front, hollow",
+                name,
             )
+    if len(stands) == 1:
+        hint = "@top and @front, each a round and a stitch in it: as it stands, that is on top, and that in front"
+        source.doubt("half of how it stands is said, which has no effect", hint, found["stands_span"])
+    elif stands:
+        found["stands"] = stands["top"], stands["front"]
     return replace(plain, other=other, **found)
 
 

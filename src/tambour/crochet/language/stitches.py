@@ -334,6 +334,8 @@ RULES: Final[dict[str, Rule]] = {
     "gap": Rule(1, 1, outside=False, usage="gap(18): a round that is not known, of which 18 stitches remain"),
 }
 
+UPS: Final = ("start", "end", "side", "back")
+"""Which end of the work is on top as a part stands; side, back: it lies, its start or its end ahead."""
 EDGES: Final = ("all", "side", "base", "far", "sides")
 """What of the edge of a piece may be gone on along, as it is walked from the hook: all of it; the ends of rows down to the chain; the
 other side of the chain; the ends of rows up from there; both sides, from the chain up to the hook and down again."""

@@ -141,6 +141,7 @@ class Section:
     copies : ``(make N)``
     centroids, stuffing, initializer, up, tip_from_fo : the parameters that are understood (None: not given)
     hollow : the first and the last number of the rounds that are pushed inside; hollow_span : where that is said
+    stands : round and stitch of what is on top as the toy stands, and of what is in front; stands_span : where that is said
     other : every other parameter, as text
     guessed : its stuffing is our guess by its name, which is never printed as the pattern's word
     heading : what the text heads it with, where that is made in several colours, and this is one of them; twin : not the first
@@ -159,11 +160,18 @@ class Section:
     tip_from_fo: bool = True
     hollow: tuple[int, int] | None = None
     hollow_span: Span | None = None
+    stands: tuple[tuple[float, float], tuple[float, float]] | None = None
+    stands_span: Span | None = None
     other: Mapping[str, str] = field(default_factory=dict)
     guessed: bool = False
     heading: str = ""
     twin: bool = False
     also: tuple[Span, ...] = ()
+
+    @property
+    def lies(self) -> bool:
+        """Whether it is worked along the ground: what was its front is its top."""
+        return self.up in ("side", "back")
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,3 +224,8 @@ class Pattern:
     whole: Text | None = None
     worn: tuple[Worn, ...] = ()
     built: object = field(default=None, compare=False, repr=False)
+
+    @property
+    def exact(self) -> bool:
+        """Whether nothing is left to hands that put it together as it looks best: it is tambour's own, or says how it stands."""
+        return not self.terms or any(part.stands is not None for part in self.parts)

@@ -361,7 +361,7 @@ class Taken:
 
     def _lies(self, part: str) -> bool:
         section = self.built.parts[self.spots.parts[part]].section
-        return self.built.pattern.parts[section].up == "side"
+        return self.built.pattern.parts[section].lies
 
     def _middle(self, record: Placed, off: float, count: int, plain: bool = False) -> str:
         """Where the middle of a part is on its round of ``count``; ``plain``: of which its middle was spoken before."""

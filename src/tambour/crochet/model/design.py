@@ -27,6 +27,7 @@ from tambour.crochet.model.loop import STEP, TRIES, Task, Tried, corrected, fait
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import printed
 from tambour.crochet.model.seating import seated
+from tambour.crochet.model.stance import stands
 from tambour.crochet.model.whole import area, bodies, refined, volume
 from tambour.geometry.closest import nearest
 
@@ -112,6 +113,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
     with progress.stage("assembly"):
         plane = tips.mirror(target.vertices, target.faces)
         even = plane is not None and abs(float(plane.normal[0])) > 0.9
+        pieces = [_said(p) for p in pieces]
         pieces, lines, way = seated(pieces, target, params, stitch, plane if even else None)
         if way:
             history["assembly"] = way
@@ -153,6 +155,15 @@ def _missed(piece: Piece) -> list[str]:
         f"{piece.rounds.name} misses its model: a twentieth of it by more than {far:.1f} stitches, most about its round {number}, "
         f"which lies {how} of it; the view compare shows where"
     ]
+
+
+def _said(piece: Piece) -> Piece:
+    """A piece that stands by itself, with how it stands."""
+    if piece.bases[0] is not None:
+        return piece
+    return replace(
+        piece, rounds=replace(piece.rounds, stands=stands(piece.rounds, piece.tried.worked.x, piece.goals[0]))
+    )
 
 
 def _one(faces: list[Array], counts: list[int]) -> Array:
@@ -251,7 +262,7 @@ def _first(
         way = fronts(x, faces, f, rows, tip)
         ahead = way.tip - np.mean([line.mean(0) for line in way.lines], axis=0)
         side = int(np.abs(ahead).argmax())
-        up = "" if side == 1 and ahead[1] < 0 else "start" if side == 1 else "side"
+        up = ("", "start")[ahead[1] > 0] if side == 1 else "back" if side == 2 and ahead[2] < 0 else "side"
         seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
         task = Task(name, way, target, seam, params.plain_, up, params, stitch)
         task = replace(task, lines=partial(_heightened, x, faces, f, tip, None))

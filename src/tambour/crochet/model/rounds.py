@@ -57,6 +57,7 @@ class Rounds:
     color : its yarn, None for undyed; up : which end of the work is on top (start, end), "" for what is usual
     threads : pulled through it once it is stuffed
     hollow : the numbers of the first and the last round that are pushed inside, (0, 0) for none
+    stands : round and stitch of what is on top as it stands, and of what is in front
     """
 
     name: str
@@ -69,6 +70,7 @@ class Rounds:
     up: str = ""
     hollow: tuple[int, int] = (0, 0)
     threads: tuple[Thread, ...] = ()
+    stands: tuple[tuple[int, int], tuple[int, int]] | None = None
 
     def counts(self) -> list[int]:
         """Stitches of every round, the ring first."""
@@ -150,6 +152,8 @@ def _lines(part: Rounds) -> list[str]:
         made.append(f"@stuffing = {part.stuffing}")
     if part.up:
         made.append(f"@up = {part.up}")
+    if part.stands is not None:
+        made += [f"@{side} = {at[0]}-{at[1]}" for side, at in zip(("top", "front"), part.stands)]
     if part.hollow[0]:
         made.append(f"@hollow = {part.hollow[0]}-{part.hollow[1]}")
     now = part.color

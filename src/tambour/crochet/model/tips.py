@@ -14,6 +14,7 @@ from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import corners
 from tambour.geometry.closest import nearest, tree
 from tambour.geometry.motion import axes, turned
+from tambour.geometry.stance import RESTS
 
 SIDES: Final = {
     "top": (0.0, 1.0, 0.0),
@@ -28,6 +29,11 @@ ALIKE = 0.012
 """A model is its own mirror image where that is no farther off than this share of its size, on the average."""
 DEEP, HEAD, FEET = 0.6, 0.15, 0.05
 """An animal is at least so deep for its height, its head lies so far to one end, and what it stands on so far to the other."""
+FALLS, FIRM, WAYS = 0.02, 0.1, 48
+"""A model falls over whose middle is hardly within what it stands on, as a share of its height, and is firm where it is well within it,
+whichever of so many ways one looks."""
+STRIDE, NEARER = 0.2, 0.75
+"""A model without a mirror has its head so far to one end of its width, and is so much nearer to its image across z than across x."""
 LOST, WIDE, LEANING, HOLLOW = 4.0, 0.2, 0.5, 4.0
 """What it costs, in stitches that rings are off, that rounds leave all of a surface out, begin twice as wide as a tip is, lean as far as
 can be, and begin inside of a hollow."""
@@ -81,7 +87,7 @@ def level(vertices: Array, faces: Array, up: str | None) -> Array:
     """The rotation (3, 3) that stands a model up: y upwards. ``up``: the axis that is, or None to find out.
 
     y is up, unless the model is its own mirror image across y and not across x (then z is), or lies on a flat base across z
-    and has none across y, as what comes from printers does.
+    and has none across y, as what comes from printers does, or would fall over on y and stands firmly on z.
     """
     z_up = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
     x_up = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
@@ -91,7 +97,10 @@ def level(vertices: Array, faces: Array, up: str | None) -> Array:
     plane = mirror(vertices, faces)
     if plane is not None and abs(plane.normal[1]) > 0.9:
         return z_up
-    return z_up if flat[2] > 0.06 and flat[1] < 0.02 else np.eye(3)
+    if flat[2] > 0.06 and flat[1] < 0.02:
+        return z_up
+    points = spread(vertices, faces, 2000)
+    return z_up if steady(points, 1) < FALLS and steady(points, 2) > FIRM else np.eye(3)
 
 
 def facing(vertices: Array, faces: Array, front: str | None) -> Array:
@@ -99,7 +108,8 @@ def facing(vertices: Array, faces: Array, front: str | None) -> Array:
     or None to find out.
 
     That is z ahead, and x of what is its own mirror image across z and not across x. But of an animal on its feet the head is
-    the front: where all that is high lies at one end, and what is low at the other, the high end.
+    the front: where all that is high lies at one end, and what is low at the other, the high end. One that is no mirror image of
+    itself, as in a stride, and is nearer to being one across z than across x, looks along x to where its head is.
     """
     turns = {
         "front": np.eye(3),
@@ -114,6 +124,12 @@ def facing(vertices: Array, faces: Array, front: str | None) -> Array:
     points = spread(vertices, faces, 2000) @ turn.T
     low, high = points.min(0), points.max(0)
     share = (points - low) / np.maximum(high - low, 1e-12)
+    if plane is None and abs(side := float(share[share[:, 1] > 0.75, 0].mean()) - 0.5) > STRIDE:
+        off = [
+            float(nearest(tree(vertices, faces), Mirror(points.mean(0), n).image(points))[2].mean()) for n in np.eye(3)
+        ]
+        if off[2] < NEARER * off[0]:
+            return turns["right" if side > 0 else "left"]
     if plane is None or high[2] - low[2] < DEEP * (high[1] - low[1]):
         return turn
     head, feet = (float(share[part, 2].mean()) - 0.5 for part in (share[:, 1] > 0.75, share[:, 1] < 0.2))
@@ -124,6 +140,17 @@ def stands(turn: Array) -> str:
     """Which axes of a file a rotation (3, 3) lays upwards and ahead, in words."""
     up, ahead = (f"{'-' if row.sum() < 0 else ''}{'xyz'[int(np.abs(row).argmax())]}" for row in (turn[1], turn[2]))
     return f"{up} of the model is up, {ahead} is its front (--model-up, --model-front)"
+
+
+def steady(points: Array, axis: int) -> float:
+    """How far within what they stand on the middle of points (P, 3) lies, as a share of their height along ``axis``; below 0 beside it."""
+    high = points[:, axis]
+    tall = max(float(np.ptp(high)), 1e-12)
+    off = np.delete(points - points.mean(0), axis, axis=1)
+    angles = 2.0 * np.pi * np.arange(WAYS) / WAYS
+    feet = off[high < float(high.min()) + RESTS * tall]
+    reach = feet[:, :1] * np.cos(angles) + feet[:, 1:] * np.sin(angles)
+    return float(reach.max(0).min()) / tall
 
 
 def _base(vertices: Array, faces: Array, axis: int) -> float:

@@ -261,7 +261,7 @@ def finished(book: Book) -> None:
     if lies(book.piece):
         return
     bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
-    long = any(part.up == "side" for part in book.piece.built.pattern.parts)
+    long = any(part.lies for part in book.piece.built.pattern.parts)
     views = ("front", "right", "top", "below") if long else ("front", "right", "back", "top")
     width = (wide - _GAP * (len(views) - 1)) / len(views)
     high = 1.2 * width

@@ -145,7 +145,7 @@ def begin(book: Book) -> None:
     for key in _ways(book):
         notes += paragraph(own[key], width, space=1.4)
     if pattern.finish:
-        lying = any(part.up == "side" for part in pattern.parts)
+        lying = any(part.lies for part in pattern.parts)
         said_ = [own["below text" if lying else "front text"]]
         if book.hers is None or book.code not in ("us", "uk") or "apart" in pattern.text.text.lower():
             said_.append(own["apart below" if lying else "apart text"])

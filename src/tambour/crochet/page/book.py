@@ -188,7 +188,7 @@ def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
 
 def along(piece: Plush, size: Size) -> bool:
     """Whether a piece is longer than high: one that swims, or goes on four legs."""
-    lies = any(part.up == "side" for part in piece.built.pattern.parts)
+    lies = any(part.lies for part in piece.built.pattern.parts)
     return size.how != "laid flat" and size.extent[2] > (1.0 if lies else _LONG) * size.extent[1]
 
 

@@ -100,6 +100,8 @@ def _head(section: Section, name: str) -> list[str]:
         lines.append(f"@initializer = {section.initializer}")
     if section.up is not None:
         lines.append(f"@up = {section.up}")
+    if section.stands is not None:
+        lines += [f"@{side} = {at[0]:.0f}-{at[1]:.0f}" for side, at in zip(("top", "front"), section.stands)]
     if section.hollow is not None:
         lines.append(f"@hollow = {section.hollow[0]}-{section.hollow[1]}")
     if not section.tip_from_fo:

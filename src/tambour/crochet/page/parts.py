@@ -276,7 +276,7 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
     if mine >= 0 and rows and rows[dyed].colors and not rows[dyed].label and _colour_alone(book, rows[dyed]):
         rows[dyed], said = replace(rows[dyed], words=said[mine][1]), [*said[:mine], *said[mine + 1 :]]
     if any("worked from" in words.lower() for _, words, _ in said):
-        ways = {f"{book.said.terms.sentences[key]}.".lower() for key in ("up end", "up start", "up side")}
+        ways = {f"{book.said.terms.sentences[key]}.".lower() for key in ("up end", "up start", "up side", "up back")}
         rows = [row for row in rows if row.label or row.words.lower() not in ways]
     eyes = _eyes_here(book, block)
     for after, words, span in reversed(said):

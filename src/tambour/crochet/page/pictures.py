@@ -263,7 +263,7 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
     ]
     there = (album.all, album.face)
     azimuth, elevation = SIDES[side]
-    if side == "front" and any(part.up == "side" for part in piece.built.pattern.parts):
+    if side == "front" and any(part.lies for part in piece.built.pattern.parts):
         elevation = -elevation  # its mouth is below
     return _shown(album, album.partial(*there), np.concatenate(drum), (azimuth, elevation), there, width, height)
 

@@ -251,7 +251,7 @@ def stand(piece: Plush) -> tuple[float, float]:
     pattern = piece.built.pattern
     _, high, deep = np.ptp(trunk(piece), axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     # A ball that is wider than high stands all the same.
-    stands = deep <= _LONG * high or bool(pattern.terms and not any(part.up == "side" for part in pattern.parts))
+    stands = deep <= _LONG * high or bool(pattern.terms and not any(part.lies for part in pattern.parts))
     looks, aside = eyed(piece) or (1.0 if stands else 0.0, 0.0)
     if abs(aside) > _OFF and not several_toys(piece):
         return AHEAD[0] + aside, AHEAD[1]  # its face was put where its front is not

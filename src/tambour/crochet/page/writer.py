@@ -14,7 +14,7 @@ from tambour.core.errors import Span, TambourError
 from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.built import Built, Done
-from tambour.crochet.language.finishes import Embroidery, Hair, Placed
+from tambour.crochet.language.finishes import Embroidery, Hair, Placed, Spot
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Action, Section
 from tambour.crochet.page.legs import legs
@@ -230,6 +230,9 @@ class Writer:
         lines: list[Row] = []
         if section.up is not None:
             lines.append(Row("", sentence(self.phrases.say(f"up {section.up}"))))
+        if section.stands is not None:
+            top, front = (Spot(section.name, *at) for at in section.stands)
+            lines.append(Row("", sentence(self.phrases.say("stands", spot=top, far=front))))
         settings = [
             f"@{key} = {value}"
             for key, value in (

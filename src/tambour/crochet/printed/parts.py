@@ -93,6 +93,7 @@ class Draft:
     shrunk: bool = False
     stuffing: float | None = None
     up: str | None = None
+    stands: tuple[tuple[float, float], tuple[float, float]] | None = None
     loops: str = ""
     ends: str = ""
     off: Span | None = None
@@ -377,6 +378,7 @@ class Draft:
             self.stuffing,
             None,
             self.up,
+            stands=self.stands,
             also=self.also,
         )
 

@@ -12,9 +12,9 @@ from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.items import MOST_IN_CURL, MOST_IN_ONE
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import STARTS, STITCHES, STUFFING, Place, Stitch, into_one
+from tambour.crochet.language.stitches import STARTS, STITCHES, STUFFING, UPS, Place, Stitch, into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Pattern, Section, written
-from tambour.crochet.words.phrases import Phrases
+from tambour.crochet.words.phrases import Phrases, stood
 from tambour.crochet.words.special import heard
 from tambour.crochet.words.table import TERMS, Terms
 
@@ -212,11 +212,13 @@ class _Reader:
                 raise _Unknown
             return
         about = self.phrases.read(
-            line, ("up start", "up end", "up side", *(f"stuff {a}" for a in (*STUFFING, "factor")))
+            line, (*(f"up {end}" for end in UPS), "stands", *(f"stuff {a}" for a in (*STUFFING, "factor")))
         )
         if about:
             what, _, amount = about[0].partition(" ")
-            if what == "up":
+            if what == "stands":
+                draft.section = replace(draft.section, stands=stood(about[1]), stands_span=span)
+            elif what == "up":
                 draft.section = replace(draft.section, up=amount)
             else:
                 factor = about[1]["factor"] if amount == "factor" else STUFFING[amount]

@@ -9,7 +9,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
-from tambour.crochet.language.stitches import STUFFING
+from tambour.crochet.language.stitches import STUFFING, UPS
 from tambour.crochet.language.tree import Action, Group, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.beyond import (
@@ -50,6 +50,7 @@ from tambour.crochet.printed.stops import founded, held, same_row, turned
 from tambour.crochet.printed.stripes import Plan, blocks, lay, planned, without
 from tambour.crochet.printed.tokens import Token, rows
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over, otherwise
+from tambour.crochet.words.phrases import stood
 from tambour.crochet.words.table import TERMS
 
 CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
@@ -227,13 +228,15 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if numbered(p.palette, text):
         p.passed.append(span)
         return True
-    said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
+    said = p.phrases.read(text, (*_PART, "stuff factor", *(f"up {end}" for end in UPS), "stands"))
     draft = p.parts[-1] if p.parts else None
     tokens = founded(tokens) if founds(p, near=1) else tokens
     if said is not None:
         key, fields = said
         amount = STUFFING[_PART[key]] if key in _PART else fields.get("factor")
         name, value = ("up", key.removeprefix("up ")) if amount is None else ("stuffing", amount)
+        if key == "stands":
+            name, value = key, stood(fields)
         if draft is None or p.heading is not None:
             p.early[name] = value  # of the part that the heading begins
         else:

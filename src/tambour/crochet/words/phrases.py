@@ -64,6 +64,12 @@ _LABEL = r"[A-Za-z0-9_]+(?:\.\d+)?"
 _PIECES = re.compile(r"\{(\w+)\}|\[([^\]]*)\](?!\s*[x*])|([^{\[]+|\[)")
 
 
+def stood(fields: Mapping[str, Any]) -> tuple[tuple[float, float], tuple[float, float]] | None:
+    """What a sentence of how a part stands says of its top and of its front; None where it names no stitches."""
+    (top, one), (front, other) = fields["spot"], fields["far"]
+    return None if one is None or other is None else ((top, one), (front, other))
+
+
 @lru_cache(maxsize=512)
 def _pieces(template: str) -> tuple[tuple[str, str], ...]:
     """("field", name), ("maybe", inner template) and ("words", text)."""

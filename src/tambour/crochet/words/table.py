@@ -62,6 +62,8 @@ SENTENCES: Final = {
     "up start": "",
     "up end": "",
     "up side": "",
+    "up back": "",
+    "stands": "spot far",  # what is on top, and what in front
     # Finishing.
     "place": "part onto spot flat across tilt towards by through",
     "place said": "part onto where spot flat lean way about",  # the same as a person says it
