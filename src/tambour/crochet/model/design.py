@@ -162,7 +162,7 @@ def _said(piece: Piece) -> Piece:
     if piece.bases[0] is not None:
         return piece
     return replace(
-        piece, rounds=replace(piece.rounds, stands=stands(piece.rounds, piece.tried.worked.x, piece.goals[0]))
+        piece, rounds=replace(piece.rounds, stands=stands(piece.rounds, piece.tried.worked.x, piece.lain[0]))
     )
 
 
@@ -262,7 +262,10 @@ def _first(
         way = fronts(x, faces, f, rows, tip)
         ahead = way.tip - np.mean([line.mean(0) for line in way.lines], axis=0)
         side = int(np.abs(ahead).argmax())
-        up = ("", "start")[ahead[1] > 0] if side == 1 else "back" if side == 2 and ahead[2] < 0 else "side"
+        if side == 1:
+            up = "start" if ahead[1] > 0.0 else ""
+        else:
+            up = "back" if side == 2 and ahead[2] < 0.0 else "side"
         seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
         task = Task(name, way, target, seam, params.plain_, up, params, stitch)
         task = replace(task, lines=partial(_heightened, x, faces, f, tip, None))
