@@ -3,6 +3,7 @@
 import pytest
 
 from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
 from tambour.crochet.printed.pattern import read_printed
 
 ROUNDS = ("6 sc in magic ring (6)", "inc x 6 (12)", "(sc, inc) x 6 (18)", "sc around (18)", "(sc, dec) x 6 (12)")
@@ -173,3 +174,25 @@ def test_copies_are_said_in_other_languages(two: tuple[str, str]) -> None:
 def test_a_sentence_above_the_rounds_is_no_heading(line: str) -> None:
     """What stands below a heading and names a part, or a yarn and a number, begins none."""
     assert [name for name, _, _ in parts(toy(["HEAD", "BODY", f"EARS (make 2)\n{line}"]))[0]] == ["head", "body", "ear"]
+
+
+def test_a_name_between_two_pictures_is_a_heading_with_its_yarn_and_copies() -> None:
+    rounds = "R1: 6 sc in MC (6)\nR2: inc x 6 (12)\n"
+    text = "💜 JELLY 💜\n\n" + "".join(f"{sign} {name} {sign} {behind}\n{rounds}\n" for sign, name, behind in (("💜", "BELL", "lavender"), ("🩷", "FRILL", "pale pink"), ("🌊", "LONG TENTACLES", "make 4 in pale pink")))  # fmt: skip
+    pattern = read_printed(Text(text, "jelly.txt"))
+    assert [(p.name, p.copies) for p in pattern.parts] == [("BELL", 1), ("FRILL", 1), ("LONG TENTACLES", 4)]
+    assert not pattern.unread
+
+
+TABLE = {
+    "from the last round up": "Rnd\tStitches\tInc/Dec\n6\t12\t-6\n4-5\t18\t±0\n3\t18\t+6\n2\t12\t+6\n1\t6\tmagic ring, 6 X\n",
+    "from the first down": "1\t6\t\n2\t12\t+6\n3\t18\t+6\n4-5\t18\t0\n6\t12\t-6\n".replace("\t0\n", "\t±0\n"),
+    "with bars": "R1 | 6 sts |\nR2 | 12 sts | +6\nR3 | 18 sts | +6\nR4-5 | 18 sts | -\nR6 | 12 sts | -6\n",
+}
+
+
+@pytest.mark.parametrize("table", TABLE)
+def test_a_table_of_counts_is_worked_from_its_first_round(table: str) -> None:
+    pattern = read_printed(Text(f"Penguin\n\nHead (black) x 1\n{TABLE[table]}\nStuff.\n", "penguin.txt"))
+    made = [w.made for w in build(pattern).worked if w.line.in_round]
+    assert not pattern.unread and made == [6, 12, 18, 18, 18, 12]

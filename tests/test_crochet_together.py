@@ -193,3 +193,62 @@ def test_the_second_leg_goes_on_from_the_stitches_that_the_first_left(legs):
     way = spots.layout[[b for _, b in across]].mean(0) - spots.layout[shared].mean(0)
     assert abs(way[0]) > 3.0 * abs(way[2])
     assert pattern.parts[0].up == "start"
+
+
+FIRST_LEG = """First leg
+{0}
+Rnds 9-12: sc around (12)
+Rnd 13: dec x 6 (6)
+Fasten off.
+"""
+SECOND_LEG = """Second leg
+{0}
+Rnds 9-12: sc around (12)
+Rnd 13: dec x 6 (6)
+Fasten off.
+"""
+TOP = """Bunny
+
+Body
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (1 sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-7: sc around (24)
+"""
+
+
+@pytest.mark.parametrize(
+    "legs",
+    [
+        FIRST_LEG.format(first)
+        + SECOND_LEG.format(
+            "Join brown in the first of the skipped stitches of Rnd 7.\nRnd 8: sc in each of the 12 skipped sts (12)"
+        )
+        for first in (
+            "Rnd 8: sc in next 12 sts, skip the remaining 12 sts and continue in the first of the 12 sts just made, which closes the leg (12)",
+            "Now work only over the first 12 stitches.\nRnd 8: sc 12, then sc in the first sc of this round to form the leg (12)",
+            "Count 12 stitches and join the 12th with the first one.\nRnd 8: sc around (12)",
+        )
+    ]
+    + [
+        FIRST_LEG.format("Rnd 8: sc in first 12 sts, leave remaining 12 sts unworked (12)") + second
+        for second in (
+            SECOND_LEG.format("Join yarn in the remaining 12 sts.\nRnd 8: sc around (12)"),
+            SECOND_LEG.format("Rnd 8: with brown, sc in the 12 unworked sts of round 7 (12)"),
+            "Second leg\nJoin yarn to the first skipped st of Rnd 7.\nRnds 8-13: work as for the first leg.\nFasten off.\n",
+            "Leg 2\nAttach yarn at the next unworked stitch from Rnd 7 and repeat Rnds 8-13 for the second leg.\n",
+            "Leg 2\nJoin the yarn in the next free stitch of the body and make the second leg the same way.\n",
+            "Second leg. Join brown in the first skipped st. Rnd 8: sc in each of the 12 skipped sts (12). Rnds 9-13: as for the first leg. Fasten off.\n",
+        )
+    ],
+)
+def test_legs_that_part_from_a_body_in_many_words(legs: str) -> None:
+    pattern = read_printed(Text(TOP + legs, "bunny.txt"))
+    built = pattern.built
+    of = built.graph.part
+    across = [(a, b) for a, b in built.sewn.tolist() if of[a] != of[b]]
+    second = [w.made for w in built.worked if built.parts[w.part].section == 1 and w.line.in_round and w.made]
+    assert len(across) == 12 and second == [12] * 5 + [6]
+    assert not pattern.unread and not any("not known" in p.message for p in pattern.warnings)
+    assert "leg" in pattern.parts[1].name.lower()

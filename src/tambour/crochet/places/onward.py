@@ -16,6 +16,7 @@ from tambour.crochet.places.names import SIDED, Made
 
 _EDGING: Final = re.compile(r"\s*edging$", re.IGNORECASE)
 """What the reader calls rounds that begin along the edge of a part."""
+_SECOND: Final = re.compile(r"(?:\b|_)(?:2|two|b)$", re.IGNORECASE)
 _LEGS: Final = re.compile(
     r"\bjoin\w*\b[^.\n]{0,80}\blegs?\b|\blegs?\b[^.\n]{0,60}\bjoin\w*\b|\bdivid\w+ (?:for )?(?:the )?legs\b",
     re.IGNORECASE,
@@ -54,7 +55,8 @@ def limbs(built: Built, spots: Spots) -> list[tuple[int, Array]]:
     for k, fact in enumerate(built.parts):
         name = built.pattern.parts[fact.section].name
         made = Made(name, 1)
-        goes_on = _EDGING.search(name) is not None or (made.kind in ("leg", "arm") and SIDED & set(made.words))
+        limb = made.kind in ("leg", "arm") and (SIDED & set(made.words) or _SECOND.search(name))
+        goes_on = _EDGING.search(name) is not None or limb
         if spots.in_rows[k] or fact.copy > 1 or not goes_on or len(start := spots.begun(k)) < _LEFT:
             continue
         for j in [j for j in range(k - 1, -1, -1) if not spots.in_rows[j] and built.parts[j].copy == 1]:
@@ -128,6 +130,13 @@ def worked_on(built: Built) -> Built:
     graph = built.graph
     made, shell = assemble(built.hook, list(graph.parts), sewn, (graph.stitch_width, graph.stitch_width))
     return replace(built, graph=made, shell=shell, sewn=np.array(sewn, np.int32).reshape(-1, 2))
+
+
+def joined(built: Built) -> frozenset[int]:
+    """Sections of the pattern that go on from another, or that another goes on from."""
+    of = built.graph.part
+    across = [k for a, b in built.sewn.tolist() if of[a] != of[b] for k in (int(of[a]), int(of[b]))]
+    return frozenset(built.parts[k].section for k in across)
 
 
 def _shares(x: Array, ring: Array, count: int) -> list[Array]:

@@ -101,6 +101,13 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
         copied = close < end and len(behind) <= _ASIDE and not ended
         if copied and _title(text, tokens[begin:close], vocabulary):
             return Row([*tokens[begin:close], *behind], row.start, row.end, max(row.marked, 1))
+    elif close := _pictured(text, row, tokens[:end]):  # "♥ BELL ♥ lavender", "♥ ARMS ♥ make 2 in pink"
+        behind = [t for t in tokens[close:end] if not _picture(t)]
+        if len(behind) <= _ASIDE and _title(text, tokens[:close], vocabulary):
+            if behind and behind[0].kind == "word" and not any(t.word in _CLOSED for t in behind):
+                signs = [Token("mark", sign, at, at) for sign, at in (("(", behind[0].start), (")", behind[-1].end))]
+                behind = [signs[0], *behind, signs[1]]
+            return Row([*tokens[:close], *behind], row.start, row.end, max(row.marked, 1))
     elif led and end < len(tokens) and _title(text, tokens[begin:end], vocabulary):
         tokens, framed = tokens[begin:end], True
     at = _label(tokens, vocabulary)
@@ -118,9 +125,21 @@ def _ruled(tokens: list[Token]) -> list[Token]:
 
 
 def _frame(token: Token) -> bool:
-    return token.kind == "mark" and (
-        all(c in _FRAMES for c in token.word) or unicodedata.category(token.word[0]) in ("So", "Sm")
-    )
+    return _picture(token) or (token.kind == "mark" and all(c in _FRAMES for c in token.word))
+
+
+def _picture(token: Token) -> bool:
+    return token.kind == "mark" and unicodedata.category(token.word[0]) in (
+        "So",
+        "Sm",
+        "Cn",
+    )  # Cn: younger than Python's table of signs
+
+
+def _pictured(text: str, row: Row, tokens: list[Token]) -> int:
+    """Where a picture that begins a line stands again behind its first words: "♥ BELL ♥ lavender"; else 0."""
+    drawn = text[row.start : tokens[0].start].strip() if tokens else ""
+    return next((k for k, t in enumerate(tokens) if k and _picture(t) and t.word[0] in drawn), 0)
 
 
 def _label(tokens: list[Token], vocabulary: Vocabulary) -> int:

@@ -3,6 +3,7 @@ hook goes back to, or a chain of as many stitches in place of an edge that the t
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -10,6 +11,7 @@ from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import Head
@@ -25,6 +27,7 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
 _MOST: Final = 400
+UNKNOWN: Final = "the edge that this is worked on is not known"
 MOST: Final = 5000  # stitches of a round that is taken from its count
 
 
@@ -183,7 +186,11 @@ def elsewhere(
                 head = replace(head, numbers=tuple(n + owner.offset for n in head.numbers))
             return owner, head, again
     if draft.begun():
-        p.heading = p.heading or Heading(f"{draft.name or 'piece'} edging".strip(), place.span)
+        limb = p.under is not None and any(
+            kind_of(one(w)) in ("leg", "arm") for w in re.split(r"[\W_\d]+", p.under.name.lower())
+        )
+        under = p.under if limb else None
+        p.heading = p.heading or under or Heading(f"{draft.name or 'piece'} edging".strip(), place.span)
         lead = draft.last
         p.begin(True, span)
         draft = p.parts[-1]
@@ -204,7 +211,7 @@ def based(p: State, draft: Draft, head: Head, read: Body, what: tuple[list[Token
         return None
     at = head.span
     p.source.doubt(
-        f"the edge that this is worked on is not known: it is worked on a chain of {count}",
+        f"{UNKNOWN}: it is worked on a chain of {count}",
         "name the round: join with sl st to Rnd 5 of Head",
         at,
     )

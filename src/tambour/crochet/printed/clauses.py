@@ -138,8 +138,9 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             if not count:
                 raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
         elif token.kind == "stitch" and token.value != "skip" and (inside or each or kind) and not placed:
-            if loops and token.value == "ch" and not (each or kind or counted) and c.kind("number", 1):
-                break  # "in back loops only ch 1"
+            led = begin == 0 or (c.tokens[begin - 1].kind == "mark" and c.tokens[begin - 1].word not in (")", "]"))
+            if loops and not (each or kind or counted) and (led or (token.value == "ch" and c.kind("number", 1))):
+                break  # "in BLO sc around" works single crochets there, "sl st in back loops only ch 1" a chain
             placed = True
             ahead = 1 + c.mark("-", ahead=1)
             ahead += c.kind("number", ahead)

@@ -179,6 +179,10 @@ _FIRST: Final = re.compile(
 )
 """What the words behind a head begin with that say rounds by others."""
 _TRIGGER: Final = frozenset("round rounds rnd rnds row rows rd rds way manner set established".split())
+_COPY: Final = re.compile(
+    r"^(?:repeat|rep)\b.*\bfor (?:the |your )?(?:second|2nd|other|next|another|third|3rd|remaining)\b"
+)
+"""Rounds for another of the same, which are no rounds of one called so: "Repeat from Rnd 1 for the second ear"."""
 _TITLE: Final = 14  # words and signs of a line that may be a heading
 _LETTERS: Final = 2
 _LINES: Final = re.compile(r"r\d+")
@@ -245,6 +249,8 @@ def _sentence(tokens: list[Token], names: set[str]) -> list[Token] | None:
     for rule, meant in _BEGUN:
         found = rule.match(words)
         if found is None or (found.groupdict().get("name") and found["name"].split()[-1] not in names):
+            continue
+        if _COPY.search(words) is not None:
             continue
         begin = found.end("lead")
         put = meant(found)

@@ -32,12 +32,13 @@ _IDIOMS: Final = tuple(
         (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),
         (r"(sc|dc|htr|hdc|tr|double crochet|single crochet) (?:all )?(?:the way )?round(?= [\[(.,;!]| ?$)", "{1} around"),
         (r"(make|work|crochet) (\w+ more) (?:the same|alike|just the same|exactly the same|in the same way|the same way|like (?:this|that|it)|to match)", "{1} {2}"),
-        (r",? ?(?:and|so) (?:then )?(?:you|we)(?:'ll| will| should)? (?:now )?(?:have|get|see) \d+ (?!sts?\b|stitch|sc\b|dc\b|single|double)[a-z]+(?: , [a-z]+)?(?= [.!;]| ?$)", ""),
+        (r"(?:,? ?(?:and|so)|-) (?:then )?(?:you|we)(?:'ll| will| should)? (?:now )?(?:have|get|see) \d+ (?!sts?\b|stitch|sc\b|dc\b|single|double)[a-z]+(?: , [a-z]+)?(?= [.!;]| ?$)", ""),
         (rf"until (?:there are |you have )?(?:only )?({NUMBER}) (st|sts|stitch|stitches) before (?:the )?end(?: of (?:the |this )?(?:round|rnd|row))?", "until {1} {2} remain"),
         (r"(?:but )?(?:(?:work|working|crochet|crocheting|sc) )?(?:the )?last (?:2|two) (?:sts |stitches |sc )?(?:tog|together)(?= ?[.,;(=-]| ?$)", "dec"),
         (rf"leave ({NUMBER}) (?:sts|stitches|st|sc)(?: unworked| free| out)?(?= , (?:then )?(?:\d+|sc|hdc|dc|inc|dec)\b)", "skip {1}"),
         # the same round once more
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
+        (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
         # translations
         (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:back|rear|far) (?:half )?(?:walls?|threads?|strands?|halves|half ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in blo"),
         (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:front|near) (?:half )?(?:walls?|threads?|strands?|halves|half ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in flo"),

@@ -12,11 +12,12 @@ from tambour.crochet.language.finishes import ASIDE, GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
-from tambour.crochet.places.onward import worked_on
+from tambour.crochet.places.onward import joined, worked_on
 from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed import pairs
 from tambour.crochet.printed.accounted import beside, headed
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
+from tambour.crochet.printed.bases import UNKNOWN
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.crocheted import hang
 from tambour.crochet.printed.cursor import Cursor
@@ -121,6 +122,10 @@ class Printed(Headed):
                 source.doubt(problem.message, problem.hint, problem.span or Span(0, 0))
             if built is not None:
                 built = worked_on(halved(closed(built)))
+                known = [line.span for k in joined(built) for line in pattern.parts[k].lines]
+                source.problems = [  # an edge that is found after all
+                    p for p in source.problems if not (p.message.startswith(UNKNOWN) and p.span in known)
+                ]
                 pattern = self._assemble(pattern, built, usual)
                 yarns_told(self, pattern)
                 unseen_told(self, pattern, tuple(source.finish), self.lost)

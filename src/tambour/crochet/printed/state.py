@@ -15,8 +15,10 @@ from tambour.crochet.printed import tongues
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.banners import banners
 from tambour.crochet.printed.bilingual import first
+from tambour.crochet.printed.changes import changes
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.columns import columned
+from tambour.crochet.printed.divided import divided
 from tambour.crochet.printed.echoes import echoed
 from tambour.crochet.printed.edges import ended
 from tambour.crochet.printed.heads import head
@@ -113,8 +115,11 @@ class State:
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
+            self.rows = changes(self.rows, self.vocabulary, terms)
             self.rows = tallied(self.rows, self.vocabulary, terms.words["round"][0].lower())
             self.rows = numerals(self.rows, terms.stitches["sc"][0].lower(), terms.words["ring"][0])
+        if self.language.code in ("us", "uk"):
+            self.rows = divided(self.rows, self.vocabulary, TERMS[self.language.code].stitches["sc"][0].lower())
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(
             source.text.text
@@ -137,6 +142,7 @@ class State:
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin
         self.heading: Heading | None = None
+        self.under: Heading | None = None  # the one over a round that goes on with the part before it
         self.mode = ""
         self.below = ""  # what the next line states, by the heading over it
         self.title: tuple[str, Span] | None = None
@@ -198,6 +204,7 @@ class State:
     def begin(self, first: bool, span: Span) -> None:
         """Goes on with the part, or begins another."""
         last = self.parts[-1] if self.parts else None
+        self.under = None
         if first and last is not None and self.heading is None and last.kept():
             last.last, last.edge = 0, None  # a marker keeps the edge, and a second piece begins beside it
             return
@@ -214,7 +221,7 @@ class State:
                     self.tell(NOT_A_PART, "say it as in the other rounds, or leave it out", self.heading.span)
                 else:
                     self.passed.append(self.heading.span)
-                self.heading = None
+                self.under, self.heading = self.heading, None
             last.loops = self.early.pop(
                 "loops", last.loops
             )  # "Body. Work all rounds of body in back loops only. Round 10: …"

@@ -159,7 +159,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
 
 def _sign(mark: str) -> bool:
     """Whether a mark is a picture, as lists and headings begin with: "☐ Rnd 1", "📌 Head"."""
-    return unicodedata.category(mark[0]) == "So" and mark not in "©®"
+    return unicodedata.category(mark[0]) in ("So", "Cn") and mark not in "©®"  # Cn: younger than Python's table
 
 
 def _kerned(tokens: list[Token]) -> list[Token]:
