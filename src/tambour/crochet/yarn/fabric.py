@@ -12,13 +12,14 @@ from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.core.threads import share
+from tambour.crochet.yarn import points
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
 from tambour.crochet.yarn.edges import arched, domed, eased, level, slipped
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, roles, way
-from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO, TALL
-from tambour.crochet.yarn.near import BLOCK
+from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
+from tambour.crochet.yarn.points import BLOCK
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.geometry.motion import length
@@ -27,22 +28,14 @@ from tambour.noise import stream
 
 OUT = 0.55
 """What of a loop stitch lies further out than this, in widths, hangs."""
-PRESSED = 0.26
-"""How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
-SQUEEZED = 0.15
-"""How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 FRAYED = 0.6
 """What is left of that at its very end, where its fibres are of all lengths."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
-ERECT = 1.2
-"""How far stitches' legs are brought upright for what their column does not lean, in times of that: not quite all of it shows."""
 MOST = 0.5
 """Legs are brought upright by so much at the most, in widths over a stitch's height."""
-FULLER = 0.2
-"""How much thicker the legs of half doubles are in their middle."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -112,23 +105,22 @@ def strands(
     hung = hanging(graph, led)
     if hung.any():
         _fall(coords, hung, led.cell, rows)
-    # A magic ring is drawn tight: no yarn presses it thin, or a hole would show.
-    ring = (led.below >= 0) & (graph.peculiarity[np.maximum(led.below, 0)] == ROOT)
-    wide = np.where(ring, 1.0, _pressed(led.at))
-    wide *= _fuller(led, graph) * _squeezed(led, graph)
-    wide[hung & np.isin(graph.kind[led.cell], _named(graph, "fur"))] = OPENED
+    wide = _thick(led, graph)
+    fur = _named(graph, "fur")
+    if fur:
+        wide[hung & np.isin(graph.kind[led.cell], fur)] = OPENED
     for last in (led.ends[:-1], led.ends[1:] - 1):
         wide[last[wide[last] == OPENED]] *= FRAYED
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
     coords, ends, of = _thinner(coords, ends, of, min(stray, 0.3) * radius)
-    coords, ends, again = _dense(coords, ends, LONGEST * radius)
-    of = _between(of, again)
+    coords, ends, again = points.dense(coords, ends, LONGEST * radius)
+    of = points.between(of, again)
     # What is drawn is what has its room: nothing is rounded or left out after this, but in low detail.
     clear(coords, ends, 2 * radius, looks=LOOKS)
     if stray > 0.3:
         coords, ends, of = _thinner(coords, ends, of, stray * radius)
-    stitch, wide = led.cell[of.astype(np.int64)], _between(wide, of)
+    stitch, wide = led.cell[of.astype(np.int64)], points.between(wide, of)
     return Strands(
         Paths(coords, ends),
         radius * bloom * wide,
@@ -142,7 +134,10 @@ def _thinner(coords: Array, ends: Array, of: Array, stray: float) -> tuple[Array
     """Polylines without the points that they do not need: none strays by more than ``stray``; and what each point is ``of``."""
     keep = np.zeros(len(coords), np.bool_)
     thin(coords, ends, stray, keep)
-    return coords[keep], np.concatenate([[0], np.cumsum(keep)])[ends], of[keep]
+    left = np.concatenate([[0], np.cumsum(keep)])[ends]
+    fewer, of_fewer = np.empty((int(left[-1]), 3)), np.empty(int(left[-1]))
+    points.taken(coords, of, keep, fewer, of_fewer)
+    return fewer, left, of_fewer
 
 
 def _uneven(n: int) -> Array:
@@ -156,40 +151,22 @@ def _uneven(n: int) -> Array:
 def _varied(led: Way) -> Array:
     """The way's points (P, 3) in their cells as hands leave them: loops that lean a little, and are drawn tight and loose."""
     cells = int(led.cell.max(initial=-1)) + 1
-    lean, loose, high = (stream("loops").uniform(-1.0, 1.0, (cells, 3))[led.cell] * (LEANING, LOOSE, HIGH)).T
-    u, v, w = led.at.T
-    # What is drawn long is drawn from the stitch's own middle; its ends stay where the next stitch takes the yarn.
-    inside = np.clip(4.0 * v * (1.0 - v), 0.0, 1.0)
-    return np.stack([u + lean * (v - 0.5) * inside, v + high * inside, w * (1.0 + loose * inside)], axis=1)
+    hands, out = stream("loops").uniform(-1.0, 1.0, (cells, 3)) * (LEANING, LOOSE, HIGH), np.empty_like(led.at)
+    share(len(out), BLOCK, lambda a, b: points.varied(led.cell[a:b], led.at[a:b], hands, out[a:b]))
+    return out
 
 
-def _pressed(at: Array) -> Array:
-    """How thick (P,) yarn is along its way, in cells: less where a loop comes out of its hole, and where it goes in above."""
-    _, v, w = at.T
-    passing = np.clip(1.0 - abs(w - 0.08) / 0.25, 0.0, 1.0)
-    through = np.clip((0.35 - v) / 0.2, 0.0, 1.0) + np.clip((v - 0.7) / 0.1, 0.0, 1.0) * np.clip(
-        (1.05 - v) / 0.1, 0.0, 1.0
-    )
-    return np.asarray(1.0 - PRESSED * passing * through)
-
-
-def _squeezed(led: Way, graph: StitchGraph) -> Array:
-    """How thick (P,) the front strands of heads are that stitches are worked over, both strands of them."""
-    over = np.zeros(len(graph), np.bool_)
+def _thick(led: Way, graph: StitchGraph) -> Array:
+    """How thick (P,) the yarn is along its way."""
+    over, out = np.zeros(len(graph), np.bool_), np.empty(len(led.cell))
     over[graph.anchors[np.repeat(graph.loop == 0, np.diff(graph.anchor_offsets))]] = True
-    _, v, w = led.at.T
-    head = np.clip((v - graph.height[led.cell]) / 0.08, 0.0, 1.0) * np.clip((w + 0.12) / 0.1, 0.0, 1.0)
-    return np.asarray(1.0 - SQUEEZED * over[led.cell] * head)
-
-
-def _fuller(led: Way, graph: StitchGraph) -> Array:
-    """How much thicker (P,) the legs of half doubles are: longer, and not drawn as tight as those of single crochets."""
-    high, (_, v, w) = graph.height[led.cell], led.at.T
-    half = (high > 1.2) & (high < TALL)
-    return np.asarray(
-        1.0
-        + FULLER * half * np.clip((w - 0.1) / 0.2, 0.0, 1.0) * np.clip(1.0 - abs(v / high - 0.5) / 0.5, 0.0, 1.0) ** 0.5
+    root = graph.peculiarity == ROOT
+    share(
+        len(out),
+        BLOCK,
+        lambda a, b: points.thick(led.cell[a:b], led.below[a:b], led.at[a:b], graph.height, over, root, out[a:b]),
     )
+    return out
 
 
 def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float) -> Array:
@@ -209,12 +186,9 @@ def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float)
     mean = (np.bincount(number[worked], aside) / np.maximum(np.bincount(number[worked]), 1))[number[worked]]
     bring = np.zeros(len(graph))
     bring[worked] = np.clip(lean + mean, -MOST, MOST)
-    u, v, w = at.T
-    # Posts of tall stitches are led upright.
-    high = graph.height[led.cell]
-    high = np.where(high < TALL, np.maximum(high, 1.0), np.inf)
-    front = np.clip(w / 0.25, 0.0, 1.0) * np.clip(v / high / 0.8, 0.0, 1.0) * np.clip((0.2 + high - v) / 0.3, 0.0, 1.0)
-    return np.stack([u - ERECT * front * bring[led.cell], v, w], axis=1)
+    out = at.copy()
+    share(len(out), BLOCK, lambda a, b: points.erect(led.cell[a:b], out[a:b], graph.height, bring))
+    return out
 
 
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:
@@ -223,13 +197,7 @@ def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Arr
     later = np.concatenate([[0], np.cumsum(lengths)])
     fine = np.zeros((int(later[-1]), 3))
     smooth(coords, ends, pieces, fine)
-    inner = np.arange(len(fine)) - np.repeat(later[:-1], lengths)
-    return fine, later, np.repeat(ends[:-1], lengths) + inner / pieces
-
-
-def _between(values: Array, at: Array) -> Array:
-    """Values of points, straight between them: what is as thick as the point before it goes in steps, each with its crease."""
-    return np.asarray(np.interp(at, np.arange(len(values)), values)) if len(values) else np.zeros(len(at))
+    return fine, later, points.counted(lengths, ends, pieces)
 
 
 def _named(graph: StitchGraph, kind: str) -> list[int]:
@@ -239,6 +207,8 @@ def _named(graph: StitchGraph, kind: str) -> list[int]:
 def hanging(graph: StitchGraph, led: Way) -> Array:
     """Which points (P,) of the yarn's way hang out of loop and fur stitches."""
     loops = _named(graph, "loopst") + _named(graph, "fur")
+    if not loops:
+        return np.zeros(len(led.cell), np.bool_)
     return np.isin(graph.kind[led.cell], loops) & (led.at[:, 2] > OUT)
 
 
@@ -262,19 +232,6 @@ def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
     far, slope = length(turned), np.clip(normal[:, 1], 0.0, 0.8)
     turned[:, 1] -= BOWED * slope * far * np.minimum(far / (3.0 * length(rows.along[cell[run]]) + 1e-9), 1.0)
     coords[run] = foot + turned
-
-
-def _dense(coords: Array, ends: Array, longest: float) -> tuple[Array, Array, Array]:
-    """Polylines without segments over ``longest``: those that are longer are split evenly; and which point each is, as of :func:`_rounder`."""
-    step = np.zeros(len(coords))
-    step[:-1] = length(np.diff(coords, axis=0))
-    step[ends[1:] - 1] = 0.0
-    times = np.maximum(1, np.ceil(step / longest)).astype(np.int64)
-    begin = np.concatenate([[0], np.cumsum(times)])
-    of = np.repeat(np.arange(len(coords)), times)
-    part = ((np.arange(len(of)) - begin[of]) / times[of])[:, None]
-    after = np.minimum(of + 1, len(coords) - 1)
-    return (1 - part) * coords[of] + part * coords[after], begin[ends], of + part[:, 0]
 
 
 def _spun(made: Strands) -> Strands:
@@ -323,13 +280,13 @@ def mesh(
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
         data = {name: values[of.astype(np.int64)] for name, values in made.point_data.items()}
         # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
-        made = _spun(replace(made, paths=Paths(coords, ends), radius=_between(made.radius, of), point_data=data))
+        made = _spun(replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data=data))
     if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
         # As many rings as its plies ask for: with fewer their lobes are cut to facets where the yarn runs straight.
-        coords, ends, of = _dense(
+        coords, ends, of = points.dense(
             made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
         )
-        made = replace(made, paths=Paths(coords, ends), radius=_between(made.radius, of), point_data={})
+        made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data={})
         yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.12, wander=WANDER, material=kind.surface)
     else:
         yarn = sweep(made, sides=SIDES[detail], lay=LAY, wander=WANDER, material=kind.surface)

@@ -27,6 +27,7 @@ from tambour.crochet.yarn.ends import (
     ended,
 )
 from tambour.crochet.yarn.loops import HEAD, LEAN, TALL, TOP, count_points, lead, tables
+from tambour.crochet.yarn.points import merged
 from tambour.geometry.motion import length
 from tambour.noise import stream
 
@@ -163,8 +164,9 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     sewn = np.zeros(n, np.bool_)
     sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
     sewn[graph.anchors] = False
-    low = sewn[cell] & (at[:, 1] > graph.height[cell] - 0.4)
-    at[low, 1] -= 0.6 * (at[low, 1] - graph.height[cell[low]] + 0.4)
+    if sewn.any():
+        low = sewn[cell] & (at[:, 1] > graph.height[cell] - 0.4)
+        at[low, 1] -= 0.6 * (at[low, 1] - graph.height[cell[low]] + 0.4)
     follows = np.zeros(n, np.bool_)  # the yarn comes straight from the node before
     worked = np.flatnonzero(role != NONE)
     later = worked[worked > 0]
@@ -366,24 +368,25 @@ def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Arra
     order = np.lexsort((np.arange(len(rows)), rows[:, 1], rows[:, 0]))
     rows = rows[order]
     where, when = rows[:, 0].astype(np.int64), rows[:, 1].astype(np.int64)
-    cell = np.insert(cell, where, rows[:, 2].astype(np.int32))
-    below = np.insert(below, where, rows[:, 3].astype(np.int32))
-    at = np.insert(at, where, rows[:, 4:], axis=0)
-    keep = np.insert(~drop, where, True)
+    gone = np.flatnonzero(drop)
+    size = total + len(where) - len(gone)
+    cells, belows, ats = np.empty(size, np.int32), np.empty(size, np.int32), np.empty((size, 3))
+    merged(cell, below, at, drop, where, np.ascontiguousarray(rows[:, 2:]), cells, belows, ats)
+    gone += np.searchsorted(where, gone, "right")
     # A strand begins behind what ends there and before what starts there.
     marks = []
     for place, stitch, level in pieces.breaks:
         marks.append((place + int(((where < place) | ((where == place) & (when < level))).sum()), stitch))
     marks.sort()
-    kept = np.concatenate([[0], np.cumsum(keep)])
-    begins = kept[[place for place, _ in marks]] if marks else np.zeros(0, np.int64)
+    places = np.array([place for place, _ in marks], np.int64)
+    begins = places - np.searchsorted(gone, places)
     first = np.array([stitch for _, stitch in marks], np.int64)
     color = graph.color[np.where(first >= 0, first, -1 - first)] if len(first) else np.zeros((0, 3), np.uint8)
     return Way(
-        np.ascontiguousarray(cell[keep]),
-        np.ascontiguousarray(below[keep]),
-        np.ascontiguousarray(at[keep]),
-        np.concatenate([begins, [int(keep.sum())]]).astype(np.int64),
+        cells,
+        belows,
+        ats,
+        np.concatenate([begins, [size]]).astype(np.int64),
         np.maximum(first, -1).astype(np.int32),
         color,
     )

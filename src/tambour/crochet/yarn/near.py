@@ -10,13 +10,12 @@ from tambour.core.arrays import B1x1, F4x1, F4x2, F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import inner, kernel
 from tambour.core.threads import share
+from tambour.crochet.yarn.points import BLOCK
 
 CELLS = 4e6
 """Cells of the grid that pairs are found in, at the most."""
 BESIDE, ABOVE = (0, 0, 1, 1, 1, 0, -1, -1, -1), (0, 1, -1, 0, 1, -1, -1, 0, 1)
 """The rows of cells about one: its own, the four behind it, and the four before it."""
-BLOCK = 1 << 15
-"""Points that are worked on at once."""
 SLABS = 16
 """Stretches of the grid in which pairs are looked for, at the most."""
 

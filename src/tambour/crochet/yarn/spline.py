@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from tambour.core.arrays import B1x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
+from tambour.core.threads import share
+from tambour.crochet.yarn.points import BLOCK
 
 
 @kernel
@@ -20,18 +24,15 @@ def _root(coords: Array, i: int) -> float:
 
 
 @kernel
-def smooth(coords: F8x2, offsets: I8x1, times: int, out: F8x2) -> None:
-    """Splines through polylines: every segment in ``times`` pieces; out (sum of (n - 1) times + 1, 3).
-
-    Catmull-Rom's, with knots as far apart as the roots of the distances: where points lie unevenly the others overshoot.
-    P. J. Barry, R. N. Goldman (1988); C. Yuksel, S. Schaefer, J. Keyser, "Parameterization and applications of
-    Catmull-Rom curves" (2011).
-    """
-    at = 0
+def _smoothed(coords: F8x2, offsets: I8x1, places: I8x1, times: int, begin: int, end: int, out: F8x2) -> None:
+    """Those of points ``begin`` to ``end``; places : (S,) where each polyline's begin in ``out``."""
     for s in range(len(offsets) - 1):
         first, last = offsets[s], offsets[s + 1] - 1
-        before = size = _root(coords, first) if last > first else 0.0
-        for i in range(first, last):
+        low, high = max(first, begin), min(last, end)
+        size = _root(coords, low) if low < high else 0.0
+        before = _root(coords, low - 1) if first < low < high else size
+        at = places[s] + (low - first) * times
+        for i in range(low, high):
             after = _root(coords, i + 1) if i + 2 <= last else size
             for c in range(3):
                 b, d = coords[i, c], coords[i + 1, c]
@@ -46,9 +47,20 @@ def smooth(coords: F8x2, offsets: I8x1, times: int, out: F8x2) -> None:
                     out[at + k, c] = b + (d - b) * u + (t - r) * ((1.0 - t) * p - t * q)
             at += times
             before, size = size, after
-        if last >= first:
-            out[at] = coords[last]
-            at += 1
+        if last >= first and begin <= last < end:
+            out[places[s] + (last - first) * times] = coords[last]
+
+
+def smooth(coords: Array, offsets: Array, times: int, out: Array) -> None:
+    """Splines through polylines: every segment in ``times`` pieces; out (sum of (n - 1) times + 1, 3).
+
+    Catmull-Rom's, with knots as far apart as the roots of the distances: where points lie unevenly the others overshoot.
+    P. J. Barry, R. N. Goldman (1988); C. Yuksel, S. Schaefer, J. Keyser, "Parameterization and applications of
+    Catmull-Rom curves" (2011).
+    """
+    many = np.diff(offsets)
+    places = np.concatenate([[0], np.cumsum(np.where(many > 0, (many - 1) * times + 1, 0))])
+    share(len(coords), BLOCK, lambda a, b: _smoothed(coords, offsets, places, times, a, b, out))
 
 
 @kernel
