@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from faces import wrong
 from printed import patterns
 
 from tambour.core.check import Array
@@ -93,6 +94,8 @@ def looked_at(name: str, piece: Plush) -> Found:
     if not sheet(piece) and not several(piece):
         found.wrong += _stance(piece, own, kinds)
         found.wrong += _face(piece, own, kinds)
+    if not sheet(piece):
+        found.wrong += wrong(piece, parts, kinds)
     return found
 
 

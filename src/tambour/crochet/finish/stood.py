@@ -57,11 +57,11 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
             for p in np.unique(task.graph.part[own]):
                 c[first[p] : first[p + 1]] = middle + (c[first[p] : first[p + 1]] - middle) * (-1.0, 1.0, -1.0)
             looks[piece[on] == k] = seen * (-1.0, 1.0, -1.0)
-        for parts, turn, about in pushed_back(task, x, joined, own):
+        for parts, turn, about, up in pushed_back(task, x, joined, own):
             worn = np.isin(task.graph.part, parts)
-            x[worn] = turned(x[worn] - about, turn) + about
+            x[worn] = turned(x[worn] - about, turn) + about + up
             for p in parts:
-                c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - about, turn) + about
+                c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - about, turn) + about + up
         off = x[firm] - middle
         if pitch := righted(off, looks[piece[on] == k]):
             way = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])

@@ -57,8 +57,15 @@ EDGED = 4
 
 
 def in_rows(graph: StitchGraph) -> Array:
-    """Which parts (P,) are worked in rows: turned, and never joined to rounds, but for an edging round many rows."""
-    of_join = graph.edges[graph.edge_kind == JOIN, 0]
+    """Which parts (P,) are worked in rows: turned, and never joined to rounds, but for an edging round many rows. Slip stitches
+    into the row below join nothing, where the piece is turned again and again."""
+    of_join = graph.edges[graph.edge_kind == JOIN]
+    closes = graph.round[of_join[:, 0]] == graph.round[of_join[:, 1]]
+    back, every = (
+        np.unique(np.column_stack([graph.part, graph.round])[some], axis=0)[:, 0] for some in (graph.direction < 0, ...)
+    )
+    often = 3 * np.bincount(back, minlength=len(graph.parts)) >= np.bincount(every, minlength=len(graph.parts))
+    of_join = of_join[closes | ~often[graph.part[of_join[:, 0]]], 0]
     joined, turned, rooted = (np.zeros(len(graph.parts), bool) for _ in range(3))
     joined[graph.part[of_join]] = True
     turned[graph.part[graph.direction < 0]] = True

@@ -42,6 +42,8 @@ _LIKE: Final = 0.25
 """A piece with so many of the stitches of another is a toy for itself."""
 _OFF: Final = radians(35.0)
 """A face so far beside the front is what one looks at."""
+_EASY, _HIGHEST = radians(35.0), radians(22.0)
+"""Eyes that look up by no more are seen from before; by so much one looks down on a toy at the most, beyond what is usual."""
 PALE, DEEP = ("oak", "stone", "walnut", "linen"), ("paper", "linen", "painted", "oak")
 """Tables for pale yarn and for deep colours: each is set off against its table."""
 FLAT: Final = 0.3
@@ -252,18 +254,18 @@ def stand(piece: Plush) -> tuple[float, float]:
     _, high, deep = np.ptp(trunk(piece), axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     # A ball that is wider than high stands all the same.
     stands = deep <= _LONG * high or bool(pattern.terms and not any(part.lies for part in pattern.parts))
-    looks, aside = eyed(piece) or (1.0 if stands else 0.0, 0.0)
+    looks, aside, rise = eyed(piece) or (1.0 if stands else 0.0, 0.0, 0.0)
+    lifted = min(_HIGHEST, max(0.0, rise - _EASY))  # eyes that look up are looked at from higher
     if abs(aside) > _OFF and not several_toys(piece):
-        return AHEAD[0] + aside, AHEAD[1]  # its face was put where its front is not
-    if stands:
-        return AHEAD if looks > _SIDEWAYS else QUARTER
-    return QUARTER if looks > _LOOKS else ASIDE
+        return AHEAD[0] + aside, AHEAD[1] + lifted  # its face was put where its front is not
+    azimuth, elevation = (AHEAD if looks > _SIDEWAYS else QUARTER) if stands else QUARTER if looks > _LOOKS else ASIDE
+    return azimuth, elevation + lifted
 
 
-def eyed(piece: Plush) -> tuple[float, float] | None:
-    """How far ahead the eyes of a piece look, in the mean, as a cosine, and radians to the left of where they look together;
-    None where it has none."""
-    from math import atan2
+def eyed(piece: Plush) -> tuple[float, float, float] | None:
+    """How far ahead the eyes of a piece look, in the mean, as a cosine, radians to the left of where they look together, and radians
+    by which they look up; None where it has none."""
+    from math import asin, atan2
 
     from tambour.crochet.finish.features import placed
     from tambour.crochet.language.finishes import Eye
@@ -272,8 +274,9 @@ def eyed(piece: Plush) -> tuple[float, float] | None:
     ways = [frames.normals[0] for record, frames in zip(found.records, found.where) if isinstance(record, Eye)]
     if not ways:
         return None
-    x, z = (float(sum(way[k] for way in ways)) for k in (0, 2))
-    return z / len(ways), atan2(x, z) if x * x + z * z > _TOGETHER * len(ways) ** 2 else 0.0
+    x, y, z = (float(sum(way[k] for way in ways)) for k in (0, 1, 2))
+    rise = asin(max(-1.0, min(1.0, y / len(ways))))
+    return z / len(ways), atan2(x, z) if x * x + z * z > _TOGETHER * len(ways) ** 2 else 0.0, rise
 
 
 def trunk(piece: Plush) -> Array:

@@ -40,6 +40,8 @@ _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
 _LAYERS: Final = frozenset(("ear", "wing", "fin", "leaf", "foot", "tail"))
 """Kinds of things that are made of two layers, one in another colour."""
+_ONCE: Final = frozenset(("eyes", "nose", "mouth", "smile", "cheeks", "brows", "whiskers"))
+"""Things of which a face has one, or one pair."""
 _PAIRS: Final = frozenset(("ear", "wing", "foot"))
 """Kinds of things of which a toy has two, one each side."""
 DOMED: Final = frozenset(("muzzle", "nose"))
@@ -175,7 +177,7 @@ class Assembly(Hosts):
             for p in [p for p in waiting if p not in trunk]:
                 if (bool(p.where.beside) and p.kind != "muzzle") == (turn == "beside"):
                     self.out += [(p.order, record) for record in put.part(p)]
-        for feature in self.heard.features:
+        for feature in self._once():
             if feature.what != "safety eyes":
                 self.out += [(feature.order, record) for record in put.feature(feature)]
         # What is said to the stitch, as a hand that moved a part wrote it, stands for all that is said of it besides; the
@@ -376,6 +378,27 @@ class Assembly(Hosts):
                     replace(eyes[0], where=replace(p.where, rounds=None, stitch=None, beside=()))
                 )
                 self.heard.features.remove(eyes[0])
+
+    def _once(self) -> list[Feature]:
+        """What is embroidered, each thing of a face once: "embroider nose" in the head's rounds and again at the end is one nose, and
+        eyes of thread without a place are those of glass for a small child."""
+        made: list[Feature] = []
+        glass = any(isinstance(record, Eye) for _, record in self.out)
+        for f in self.heard.features:
+            thing = f.what.split()[-1]
+            if thing == "eyes" and glass and not f.where.says and f.what == "eyes":
+                continue
+            alike = [
+                k
+                for k, g in enumerate(made)
+                if g.what.split()[-1] == thing and (f.host is None or g.host in (None, f.host))
+            ]
+            alike = [k for k in alike if not (made[k].where.says and f.where.says)]
+            if not alike or thing not in _ONCE:
+                made.append(f)
+            elif f.where.says:
+                made[alike[0]] = f
+        return made
 
     def _eyes(self, put: Facer, features: list[Feature]) -> None:
         for feature in features:

@@ -14,6 +14,7 @@ from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hai
 from tambour.crochet.places import face
 from tambour.crochet.places.hairdo import before, hairs
 from tambour.crochet.places.hear import Feature
+from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.put import Putter
 from tambour.crochet.places.said import size
 from tambour.crochet.places.stand import Host, numbers_of
@@ -42,14 +43,10 @@ _BELOW, _FAN, _STANDS = 0.2, (0.45, 0.8), 0.7
 """Whiskers stay so many stitches below the eyes; how far apart they begin and end, in rounds; a head stands whose axis is so upright."""
 _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
-_ON_MASK: Final = (0.52, 0.22, 0.0)
-"""Where the left eye is on a face that is sewn on, from its middle, in halves of its size."""
 _ONE: Final = 0.5
 """A pair that is nearer to each other, in stitches, lies in one place, and its distance says nothing of its size."""
 _BESIDE_EACH: Final = 0.8
 """Two cheeks are no wider than this share of the way from the one to the other."""
-_OBLONG: Final = 1.3
-"""A piece so much wider than high has its eyes in its middle line."""
 _TINY: Final = 0.7
 """How large something is that is called tiny, little or small."""
 _KNOT: Final = 1.4
@@ -60,6 +57,7 @@ class Facer(Putter):
     """Puts eyes, noses, smiles on a toy's parts."""
 
     asleep = False  # its lids are down, and its lashes hang
+    pupil = 0.0  # half the width, in stitches, of the eyes that are being put
 
     def eyes(self, f: Feature) -> list[Finish]:
         """Safety eyes, one or two."""
@@ -76,6 +74,7 @@ class Facer(Putter):
         wide = 2.0 * float(host.box[1][0]) * self.work.stitch
         big = big or float(min(18.0, max(5.0, round(2.0 * _OF_A_HEAD * wide) / 2.0)))
         color = f.color or Eye(Spot("", 0.0, None)).color
+        self.pupil = 0.5 * big / self.work.stitch
         single = single and f.where.pair is None and not re.search(r"\b(?:other|second|right) (?:eye|one)\b", f.text)
         # "on one side of the face", and then on the other: they are two
         single = single and not (f.where.stitch is None and re.search(r"\bside\b", f.text))
@@ -86,7 +85,7 @@ class Facer(Putter):
             spots = self._two(f, host, way)
         if all(map(self.stand.there, spots)):
             self._note("eye", host, spots)
-            self.deep["eye"] = 0.5 * big / self.work.stitch
+            self.deep["eye"] = self.pupil
         if not f.where.says:
             self.work.made.guessed.append(f"eyes on {host.name}")
         return [Eye(s, big, color, f.span) for s in spots]
@@ -118,15 +117,9 @@ class Facer(Putter):
             aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
             point = self._beside(replace(f.where, beside=aside), host, way, 0.5)
             there = host.towards(way.direction) if point is None else point
-            if point is None and host.name in {
-                m.name for m in self.work.parts if m.single and m.kind in ("face", "eye")
-            }:
-                centre, half = host.box  # a disc, seen from before it, however it was turned
-                up = _ON_MASK[1] if half[0] < _OBLONG * half[1] else 0.0
-                x, y = _ON_MASK[0] * float(half[0]), float(centre[1] + up * half[1])
+            if point is None and is_mask(self.work, host):
                 apart = self._apart(f.where)
-                x = x if apart is None else 0.5 * apart
-                return [replace(host.near(host.ahead(float(centre[0]) + s * x, y)), span=f.span) for s in (-1.0, 1.0)]
+                return [replace(host.near(eye_on(host, side, apart)), span=f.span) for side in (-1.0, 1.0)]
             there = self._off_the_snout(f, host, there)
             if self.work.spots.in_rows[host.part]:  # its rows may run upwards
                 apart = self._apart(f.where)
@@ -173,7 +166,7 @@ class Facer(Putter):
             known = self.known.get(kind)
             if known is None or known[0] != host.name or kind not in self.deep:
                 continue
-            middle, least = np.array(known[1]).mean(0), self.deep[kind] + _CLEAR
+            middle, least = np.array(known[1]).mean(0), self.deep[kind] + _CLEAR + self.pupil
             x, y = float(point[0]), float(point[1])
             while y < high and float(np.sqrt(((point - middle) ** 2).sum())) < least:
                 y += _CLEAR

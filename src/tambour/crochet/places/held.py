@@ -18,8 +18,9 @@ from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import Beside
 from tambour.crochet.places.hear import Copy, Put
+from tambour.crochet.places.names import one
 from tambour.crochet.places.stand import Host
-from tambour.crochet.places.usual import Way
+from tambour.crochet.places.usual import SPREAD, Way
 
 _STEP: Final = 5.0
 """Angles are rounded to so many degrees."""
@@ -41,8 +42,6 @@ _LAID: Final = frozenset(
     ("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner", "bumper", "beard")
 )
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
-SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
-"""Toys, by their titles, whose wings are spread beside them."""
 BESIDE: Final = frozenset(("elephant", "monkey", "koala", "mouse", "chimp", "sloth", "sheep", "lamb", "cow", "giraffe"))
 """Toys, by their titles, whose ears are at the sides of their heads."""
 _WIDE_ONES: Final = frozenset(("muzzle", "nose", "beak"))
@@ -181,7 +180,7 @@ class Holder(Beside):
     @property
     def butterfly(self) -> bool:
         """Whether the toy's wings are spread beside it."""
-        return bool(SPREAD & set(self.work.text[:200].split()))
+        return bool(SPREAD & {one(w) for w in re.findall(r"[^\W\d_]+", self.work.text[:200])})
 
     def _narrow(self, copy: Copy) -> float | None:
         """The first round of a piece that begins much narrower than it becomes."""

@@ -25,6 +25,8 @@ _RIM, _RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 _ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
 """A head on the neck of what lies: its back on the neck, its nose ahead."""
+_ON_FRONT: Final = np.array([0.0, 0.7, 0.72])
+"""Where such a head is on a body without a neck."""
 _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
 
@@ -33,9 +35,10 @@ class Jointer(Holder):
     """Puts a toy's trunk together."""
 
     def _ahead_on_neck(self, put: Put, neck: Copy) -> Placed:
-        """A head on the neck of what lies: ahead, its face above."""
+        """A head that looks ahead, on the neck of what lies, or on its front where it has none; its face above."""
         host, copy, way = self.work.host(neck), put.copies[0], _ON_NECK
-        far = host.pole(way.direction, 0.3) or host.near(host.towards(way.direction))
+        pole = None if self._lies(neck) else host.pole(way.direction, 0.3)
+        far = pole or host.near(host.towards(_ON_FRONT if pole is None else way.direction))
         spot = replace(far, span=put.span)
         record = self._face_up(self._placed(put, copy, spot, way, host), copy)
         self.stand.place(record)

@@ -13,13 +13,14 @@ from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import ABOVE, SIDE
 from tambour.crochet.places.hear import Copy, Put
-from tambour.crochet.places.held import BESIDE, SPREAD
+from tambour.crochet.places.held import BESIDE
 from tambour.crochet.places.jointed import Jointer
+from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.places.room import Seam, aside, spread
 from tambour.crochet.places.rowed import in_rows
 from tambour.crochet.places.stand import Host, neck
-from tambour.crochet.places.usual import Way, usual
+from tambour.crochet.places.usual import SPREAD, Way, usual
 
 _ROUGHLY: Final = 0.6
 """An end is on top that looks so nearly upwards, as a cosine, for what goes on top."""
@@ -29,6 +30,8 @@ _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inne
 
 _BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
 """How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
+_HANGS_BY: Final = 0.8
+"""How far the middle of a muzzle that is sewn between the eyes is below them, in halves of its width."""
 _DOWN: Final = 0.4
 """By how many stitches at a time a snout is moved down that would cover an eye."""
 _ROOM: Final = 3.6
@@ -72,7 +75,8 @@ class Putter(Jointer):
             # What is said of rounds is said of the head, or of the body's opening.
             put = replace(put, where=replace(put.where, rounds=None, stitch=None, beside=(), words=frozenset()))
         assert put.host is not None
-        if kind == "head" and put.host[0].kind == "neck" and self._lies((work.main, 1)):
+        first = kind == "head" and self._lies(put.host) and work.nose_first(made) and put.where.rounds is None
+        if first or (kind == "head" and put.host[0].kind == "neck" and self._lies((work.main, 1))):
             return [self._ahead_on_neck(put, put.host)]
         at_end = put.where.rounds is None or (
             work.nose_first(made) and put.where.rounds[0] > work.host(put.host).high - _NEAR_END
@@ -95,7 +99,7 @@ class Putter(Jointer):
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
-        wanted |= frozenset(one(w) for w in re.findall(r"[a-z]+", work.text[:200])) & (SPREAD | BESIDE)
+        wanted |= frozenset(one(w) for w in re.findall(r"[^\W\d_]+", work.text[:200])) & (SPREAD | BESIDE)
         if kind == "leaf" and len(put.copies) > 8:  # they stand in rings, whatever round the first of them is in
             put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
         if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen
@@ -309,6 +313,10 @@ class Putter(Jointer):
                 stitch = host.middle(level) if way.at[2] > 0 or self._lies_name(host) else stitch
             return Spot(host.name, level, round(stitch, 3), put.span), way
         if beside is not None:
+            if put.kind == "muzzle" and any(b[:2] == ("between", "eye") for b in at.beside):
+                # What begins between the eyes hangs below them.
+                level = float(np.array(self.known["eye"][1]).mean(0)[1])
+                beside = np.array([beside[0], level - _HANGS_BY * self._bulge(put.copies[k]), beside[2]])
             return replace(host.near(self._off_the_eyes(put, host, beside, k)), span=put.span), way
         eyes = self.known.get("eye")
         if put.kind in _BELOW_EYES and eyes is not None and eyes[0] == host.name and not at.says:
@@ -326,6 +334,8 @@ class Putter(Jointer):
         pole = host.pole(direction, _ROUGHLY if roughly else 0.9) if len(put.copies) == 1 else None
         if pole is not None:
             return replace(pole, span=put.span), way
+        if put.kind == "eye" and len(put.copies) == 2 and is_mask(self.work, host):
+            return replace(host.near(eye_on(host, math.copysign(1.0, way.at[0]))), span=put.span), way
         near = host.near(self._off_the_eyes(put, host, host.towards(direction), k))
         if put.kind in ("ear", "horn") and eyes is not None and eyes[0] == host.name and float(host.axis[2]) < -0.7:
             # Of what looks ahead the ears and the horns are behind the eyes, whose rounds may be said.

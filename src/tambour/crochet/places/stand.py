@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.capped import across, lid_on
-from tambour.crochet.finish.placing import Frames, frames, outward, standing
+from tambour.crochet.finish.placing import Frames, frames, level, outward, standing
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed, Spot
 
@@ -64,10 +64,22 @@ class Stand:
         if place not in known:
             if part not in self._outward:
                 self._outward[part] = outward(self.spots, self.x, [part])
-            known[place] = made = frames(self.spots, self.x, [spot], self.upright, self._outward[part])
+            made = self._outwards(spot, frames(self.spots, self.x, [spot], self.upright, self._outward[part]))
+            known[place] = made
             for array in made:
                 array.setflags(write=False)
         return known[place]
+
+    def _outwards(self, spot: Spot, made: Frames) -> Frames:
+        """The frame of an end that is drawn together: its last two stitches may look anywhere, also into the part."""
+        if spot.stitch is not None or self.spots.place(spot).opening:
+            return made
+        part = self.spots.parts[spot.part]
+        away = made.points[0] - self.x[self.nodes(part)].mean(0)
+        if float(away @ made.normals[0]) >= 0.0:
+            return made
+        normals = (away / np.sqrt(away @ away))[None]
+        return Frames(made.points, normals, *level(normals, self.upright[[part]]))
 
     def host(self, name: str, low: int, high: int) -> Host:
         """A part, or some of its rounds, that things are put on."""

@@ -32,6 +32,9 @@ _RIM_OFF: Final = 3
 """Rims that differ by so many stitches or fewer fit on each other."""
 _MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
 """A muzzle is so much of a head's rounds; eyes are in the first so many rounds behind it, which have so much of its stitches."""
+_EGG: Final = (0.45, 0.55, 0.75)
+"""A head that is an egg has so many rounds to a stitch of its widest, which is no earlier than this share of them; at a quarter of
+them it has no more than this share of its stitches."""
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _LATER: Final = 0.6
@@ -55,8 +58,24 @@ class Upright(Toy):
     heard: Heard
 
     def ahead(self, made: Made) -> bool:
-        """Whether a part is worked from its nose, by its words, or by a muzzle of another colour with the eyes behind it."""
-        return super().ahead(made) or self._muzzled(made)
+        """Whether a part is worked from its nose: by its words, by a muzzle of another colour with the eyes behind it, or by its shape."""
+        return super().ahead(made) or self._muzzled(made) or self._pointed(made)
+
+    def _pointed(self, made: Made) -> bool:
+        """Whether a closed head without a muzzle, of what goes on four legs, is an egg that widens slowly: its narrow end is its nose."""
+        part = self.spots.parts.get(made.copy(1))
+        legs = sum(p.copies for p in self.parts if p.kind in ("leg", "foot"))
+        goes = legs == 4 and not any(p.kind == "arm" for p in self.parts) and self.of_kind("body") is not None
+        head = made.kind == "head" and made.single and "body" not in made.kinds and part is not None
+        if not (goes and head) or self.open(made.copy(1)) or self.of_kind("muzzle", "nose", "beak"):
+            return False
+        counts = [r.count for r in self.built.rounds if r.part == part and not r.aside]
+        widest = max(counts, default=0)
+        return (
+            len(counts) > _EGG[0] * widest
+            and counts.index(widest) >= _EGG[1] * len(counts)
+            and counts[len(counts) // 4] <= _EGG[2] * widest
+        )
 
     def _muzzled(self, made: Made) -> bool:
         """Whether a head begins with a muzzle: its first rounds have a colour of their own and are its widest, and its eyes are

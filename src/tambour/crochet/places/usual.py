@@ -11,6 +11,11 @@ import numpy as np
 from tambour.core.check import Array
 
 Vector = tuple[float, float, float]
+SPREAD: Final = frozenset(
+    "butterfly moth dragonfly dragon fairy angel pegasus bat bee bumblebee pixie griffin schmetterling drache fee engel biene "
+    "mariposa dragón hada ángel abeja papillon fée ange abeille vlinder draak bij".split()
+)
+"""Toys, by their titles, whose wings are on their backs, and spread beside them; those of birds hang at their sides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,7 +173,7 @@ def usual(
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(0.85, 0.5, 0.0), line=(0.5, -0.85, 0.0))
         elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe"} and not lying:
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(1.0, -0.15, 0.0), line=_ALONG)
-        if kind == "wing" and words & {"butterfly", "moth", "dragonfly"}:
+        if kind == "wing" and words & SPREAD:
             pairs = replace(pairs, at=(0.55, 0.35, -0.75), axis=(1.0, 0.45, -0.1), line=_UP)
         if kind == "leg" and words & {"front", "fore"}:
             pairs = replace(_LYING_PAIRS["arm"] if lying else _PAIRS["arm"])
