@@ -1,9 +1,11 @@
 """Printed patterns of other people with one mistake planted in each: how many are told at the right line.
 
-python bench/planted.py FOLDER [--half even|odd|all] [--many 100] [--show]
+python bench/planted.py FOLDER [--half even|odd|all] [--many 100] [--kinds a,b] [--only WORD] [--show]
 
-Six kinds in turn: a stated count, a stitch, how often a repeat is worked, a number of a list of rounds, a round left out,
-and a reference to a round that is not there. What is told of the untouched text does not count. See bench/printed.py.
+FOLDER holds a published set as for bench/printed.py, or texts (tests/data/habits). Six kinds in turn: a stated count, how often a repeat
+is worked, an increase for a decrease or the other way about, a round left out, a round written twice, a count of stitches inside a
+repeat; and, where asked, a number of a list of rounds and a reference to a round that is not there. A mistake is planted only where
+a count is stated that it contradicts. What is told of the untouched text does not count.
 """
 
 from __future__ import annotations
@@ -12,20 +14,39 @@ import argparse
 import hashlib
 import random
 import re
+import sys
 from collections import Counter
-from itertools import pairwise
+from collections.abc import Iterator
 from pathlib import Path
 
-from printed import patterns
+sys.path.insert(0, str(Path(__file__).parent))
+from silent import texts
 
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.printed.choose import read
 
-_HEAD = r"(?m)^(?:(?:Rnd|Round|Row)s? \d+|\d+(?:st|nd|rd|th) (?:rnd|row)s?)\b[^\n]*?:"
-_COUNT = re.compile(r"(?<=[\s—–-])(\d+)(?= (?:sc|sts|hdc|dc)\b\.?[ ]*$)", re.MULTILINE)
-_TIMES = re.compile(r"(?<=[)\]] )(\d+)(?= times)")
+_HEAD = re.compile(
+    r"[^\w\n]*(?:(?:rnd|round|row|rd|rij|reihe|runde|rang|tour|vuelta|r|v|t)s?\.?[ ]?\d+|\d+(?:st|nd|rd|th) (?:rnd|row|round)s?)\b(?! and alt)",
+    re.IGNORECASE,
+)
+_COUNT = re.compile(
+    r"(?:[(\[{<]|= ?|[—–-] ?|>> ?|\.  ?)(\d+)(?: ?(?:sc|sts?|stitches|hdc|dc|ms?|M|fM|tr))?[)\]}>]?[*_. ]*(?:Turn\.?|Join\.?)?\s*$"
+)
+_TIMES = re.compile(
+    r"(?<=[)\]}*] )(\d+)(?= (?:times|mal|fois|veces|keer)\b)|(?<=[)\]}*])(?: ?[x×*] ?)(\d+)\b", re.IGNORECASE
+)
+_INNER = re.compile(r"(?<=[(\[{*])[^()\[\]{}*\n]*?(?:\b(?:next|sc|hdc|dc) (\d+)\b|\b(\d+) ?(?:sc|hdc|dc|fM|ms|mp|v)\b)")
+_TURNED = {
+    r"\bsc2tog\b(?!.*\bskip)": "2 sc in next st",
+    r"\b2 sc in next (?:sc|st)\b": "sc2tog",
+    r"\bdec\b": "inc",
+    r"\binc\b": "dec",
+}
+_PLAIN = re.compile(
+    r"(?i)\b(?:each|even|all|around|plain|rep\w*|as|same)\b(?!.*\b(?:inc|dec|2 sc|sc2tog)\b)|^\W*\w+\W*\d+ ?[-–—~]"
+)
 
 
 def told(words: str, name: str) -> set[tuple[int, str]]:
@@ -41,69 +62,63 @@ def told(words: str, name: str) -> set[tuple[int, str]]:
     return {(text.place(p.span.start)[0], re.sub(r"\d+", "N", p.message)) for p in problems if p.span is not None}
 
 
-def plant(words: str, kind: str, rng: random.Random) -> tuple[str, int] | None:
-    """The text with a mistake of this kind, and the line that should be blamed; None where there is no place for it."""
-    rounds = list(re.finditer(_HEAD, words))
-    if kind == "count":
-        places = [m for m in _COUNT.finditer(words) if int(m[1]) > 5]
-        if not places:
-            return None
-        m = rng.choice(places)
-        new = str(int(m[1]) + rng.choice((-1, 1, 2)))
-    elif kind == "stitch":
-        places = [m for m in re.finditer(r"(?i)(?<=\W)sc2tog(?=\W)(?!.*\bskip)", words) if _counted(words, m.start())]
-        if not places:
-            return None
-        m, new = rng.choice(places), "sc"
-    elif kind == "times":
-        places = [m for m in _TIMES.finditer(words) if int(m[1]) > 2 and _counted(words, m.start())]
-        if not places:
-            return None
-        m = rng.choice(places)
-        new = str(int(m[1]) + 1)
-    elif kind == "number":
-        places = [
-            m for m in rounds[1:] if re.search(r"(?:Rnd|Round|Row) (\d+):|(\d+)(?:st|nd|rd|th) (?:rnd|row):", m[0])
-        ]
-        if not places:
-            return None
-        head = rng.choice(places)
-        m = next(re.compile(r"\d+").finditer(words, head.start()))
-        new = str(int(m[0]) + 7)
-        if not words[m.end()].isdigit() and words[m.end() : m.end() + 2] in ("st", "nd", "rd", "th"):
-            return words[: m.start()] + new + "th" + words[m.end() + 2 :], words.count("\n", 0, m.start()) + 1
-    elif kind == "left out":
-        places = [
-            m
-            for m, n in pairwise(rounds[1:])
-            if words.count("\n", m.start(), n.start()) == 1
-            and _counted(words, m.end())
-            and not re.match(r"\s*(?:Ch 1[.,] ?)?(?:1 )?[Ss]c in each", words[m.end() :])
-        ]
-        if not places:
-            return None
-        m = rng.choice(places)
-        end = words.find("\n", m.start()) + 1
-        return words[: m.start()] + words[end:], words.count("\n", 0, m.start()) + 1
-    else:
-        places = list(re.finditer(r"(?:[Rr]epeat (?:Round|Rnd|Row) |: As )(\d+)", words))
-        if not places:
-            return None
-        m = rng.choice(places)
-        made = words[: m.start(1)] + "97" + words[m.end(1) :]
-        made = re.sub(r"97(?:st|nd|rd|th)", "97th", made)
-        return made, words.count("\n", 0, m.start()) + 1
-    return words[: m.start()] + new + words[m.end() :], words.count("\n", 0, m.start()) + 1
+def counted(words: str) -> Iterator[tuple[int, int, re.Match[str]]]:
+    """Rounds that stand on a line of their own and state a count: where they begin and end, and the count."""
+    at = 0
+    for line in words.splitlines(keepends=True):
+        head = _HEAD.match(line)
+        if head is not None and (count := _COUNT.search(line.rstrip("\n"), head.end())) and int(count[1]) > 5:
+            yield at, at + len(line), count
+        at += len(line)
 
 
-def _counted(words: str, at: int) -> bool:
-    """Whether the line at a place ends with a count."""
-    end = words.find("\n", at)
-    begin = words.rfind("\n", 0, at) + 1
-    return _COUNT.search(words[begin:end]) is not None
+def places(words: str, kind: str) -> Iterator[tuple[int, int, str, int]]:
+    """Where a mistake of a kind can be planted: a stretch of the text, what stands there instead, and the line to blame."""
+    rounds = list(counted(words))
+    for k, (begin, end, count) in enumerate(rounds):
+        line = words[begin:end]
+        number = words.count("\n", 0, begin) + 1
+        body = line[: count.start()]
+        plain = _PLAIN.search(body) is not None
+        if kind == "count":
+            for off in (-1, 1):
+                yield begin + count.start(1), begin + count.end(1), str(int(count[1]) + off), number
+        elif kind == "times":
+            for m in _TIMES.finditer(body):
+                if int(m[1] or m[2]) > 1:
+                    yield (
+                        begin + m.start(m.lastindex or 0),
+                        begin + m.end(m.lastindex or 0),
+                        str(int(m[1] or m[2]) + 1),
+                        number,
+                    )
+        elif kind == "turned":
+            for said, other in _TURNED.items():
+                for m in re.finditer(said, body, re.IGNORECASE):
+                    yield begin + m.start(), begin + m.end(), other, number
+        elif kind == "left out":  # the round after it is blamed
+            if not plain and k and k + 1 < len(rounds) and rounds[k + 1][0] == end and rounds[k - 1][1] == begin:
+                yield begin, end, "", number
+        elif kind == "doubled":
+            if not plain and k and rounds[k - 1][1] == begin and rounds[k - 1][2][1] != count[1]:
+                yield end, end, line, number
+        elif kind == "inside":
+            for m in _INNER.finditer(body):
+                yield (
+                    begin + m.start(m.lastindex or 0),
+                    begin + m.end(m.lastindex or 0),
+                    str(int(m[m.lastindex or 0]) + 1),
+                    number,
+                )
+    if kind == "number":
+        for m in list(re.finditer(r"(?m)^(?:Rnd|Round|Row) (\d+):", words))[1:]:
+            yield m.start(1), m.end(1), str(int(m[1]) + 7), words.count("\n", 0, m.start()) + 1
+    elif kind == "reference":
+        for m in re.finditer(r"(?:[Rr]epeat (?:Round|Rnd|Row) |: As )(\d+)(st|nd|rd|th)?", words):
+            yield m.start(1), m.end(), f"97{(m[2] and 'th') or ''}", words.count("\n", 0, m.start()) + 1
 
 
-KINDS = ("count", "stitch", "times", "number", "left out", "reference")
+KINDS = ("count", "times", "turned", "left out", "doubled", "inside")
 
 
 def main() -> None:
@@ -112,37 +127,45 @@ def main() -> None:
     arguments.add_argument("folder", type=Path, nargs="?")
     arguments.add_argument("--half", choices=("even", "odd", "all"), default="even")
     arguments.add_argument("--many", type=int, default=100)
+    arguments.add_argument("--kinds", default=",".join(KINDS))
+    arguments.add_argument("--only", default="")
     arguments.add_argument("--show", action="store_true")
     asked = arguments.parse_args()
     if asked.folder is None:
-        print("python bench/planted.py FOLDER: give the folder of a published set (see bench/printed.py)")
+        print("python bench/planted.py FOLDER: give the folder of a published set, or of texts")
         return
+    kinds = asked.kinds.split(",")
     found: Counter[str] = Counter()
     planted: Counter[str] = Counter()
-    texts = sorted(patterns(asked.folder, asked.half), key=lambda one: hashlib.sha256(one[0].encode()).digest())
-    for at, (name, words) in enumerate(texts):
+    some = sorted(texts(asked.folder, asked.half), key=lambda one: hashlib.sha256(one[0].encode()).digest())
+    for at, (name, words) in enumerate(some):
         if sum(planted.values()) == asked.many:
             break
-        rng = random.Random(name)
-        for k in range(len(KINDS)):
-            kind = KINDS[(at + k) % len(KINDS)]
-            made = plant(words, kind, rng)
-            if made is not None:
-                break
-        else:
+        if asked.only not in name:
             continue
-        changed, line = made
+        rng = random.Random(name)
+        kind, here = next(
+            (
+                (kind, here)
+                for k in range(len(kinds))
+                if (here := list(places(words, kind := kinds[(at + k) % len(kinds)])))
+            ),
+            ("", []),
+        )
+        if not here:
+            continue
+        begin, end, new, line = rng.choice(here)
+        changed = words[:begin] + new + words[end:]
         planted[kind] += 1
-        before = told(words, name)
-        shift = -1 if kind == "left out" else 0
-        known = {(n + (shift if n > line else 0), said) for n, said in before}
-        new = told(changed, name) - known
-        near = (0, 1) if kind in ("left out", "number") else (0,)
-        hit = any(n - line in near for n, _ in new)
+        added = changed.count("\n") - words.count("\n")
+        known = {(n + (added if n > line else 0), said) for n, said in told(words, name)}
+        fresh = told(changed, name) - known
+        near = (0, 1) if kind in ("left out", "number", "doubled") else (0,)
+        hit = any(n - line in near for n, _ in fresh)
         found[kind] += hit
         if asked.show and not hit:
-            print(name, kind, line, repr(changed.split("\n")[line - 1][:160]), sorted(new)[:3])
-    for kind in KINDS:
+            print(name, kind, line, repr(changed.split("\n")[line - 1][:160]), sorted(fresh)[:3], flush=True)
+    for kind in kinds:
         print(f"{kind:10} {found[kind]} of {planted[kind]}")
     print(f"told at the right line: {sum(found.values())} of {sum(planted.values())}")
 

@@ -267,6 +267,37 @@ def test_of_several_sizes_one_is_read(asked: tuple[str | None, int]) -> None:
         assert pattern.whole is not None and pattern.whole.text == text and len(pattern.text.text) == len(text)
 
 
+@pytest.mark.parametrize(
+    ("said", "only", "names"),
+    [
+        ("", "Size Small only:\n", ("Small", "Large")),
+        ("Directions are for Child. Changes for Adult are in parentheses.", "Child Size Only-", ("Child", "Adult")),
+        ("Written for baby (changes for larger size thus).", "Size 1 only\n", ("1", "2")),
+        (
+            "The pattern is written for size Mini, with changes for Maxi in brackets.",
+            "For size Mini only: ",
+            ("Mini", "Maxi"),
+        ),
+    ],
+)
+@pytest.mark.parametrize(("size", "edges"), [(None, [6, 12, 18, 18]), ("2", [8, 16, 16])])
+def test_sizes_that_no_list_names_are_seen_by_their_numbers(
+    said: str, only: str, names: tuple[str, ...], size: str | None, edges: list[int]
+) -> None:
+    text = (
+        f"Cap\n\n{said}\n\nBody\nRnd 1: 6 (8) sc in magic ring – 6 (8) sc.\nRnd 2: [2 sc in next st] 6 (8) times – 12 (16) sc.\n"
+        f"{only}Rnd 3: [Sc in next st, 2 sc in next st] 6 times – 18 sc.\nBoth Sizes\nRnd 4: Sc in each st around – 18 (16) sc.\n"
+    )
+    pattern = read(Text(text, "cap.txt"), size=size)
+    assert [w.edge for w in build(pattern).worked if w.line.in_round] == edges
+    assert any(", ".join(names) in w.message for w in pattern.warnings) == (size is None)
+
+
+def test_counts_behind_a_multiplier_are_no_sizes() -> None:
+    text = "Ball\nR1: 6 sc in MR (6)\nR2: inc x 6 (12)\nR3: (sc, inc) x 6 (18) sts\nR4: (2 sc, inc) x6 (24) sts\nR5: 24 (24) sts\n"
+    assert not [w for w in read(Text(text, "ball.txt")).warnings if "sizes" in w.message]
+
+
 @pytest.mark.parametrize(("asked", "edges"), [("2/4", [6, 12, 12]), ("6/8 yrs", [7, 14, 21, 21])])
 def test_rounds_for_some_sizes_only_are_no_others(asked: str, edges: list[int]) -> None:
     said = "Cap\n\nMEASUREMENTS\nTo fit child sizes 2/4 (6/8 - 10) yrs.\n\nBODY\nRnd 1: 6 (7-8) sc in magic ring. 6 (7-8) sc.\nRnd 2: 2 sc in each sc around. 12 (14-16) sc.\n"
