@@ -582,3 +582,26 @@ def test_a_round_goes_back_to_loops_that_were_left_also_in_a_part_that_is_made_t
     assert [(p.name, p.copies) for p in pattern.parts] == [("LEG", 2)] and not pattern.unread
     assert sorted({r.number for r in built.rounds if r.part == 1}) == [1, 2, 3, 4, 5]
     assert sum(r.number == 5 for r in built.rounds) == 2
+
+
+@pytest.mark.parametrize(
+    ("said", "many"),
+    [
+        ("Rnd 3: Join B with dc in 5th st of previous round, dc in same st, dc in next 11 sts. (13)", 13),
+        ("Rnd 3: Join B with a standing hdc in any st, hdc in next 11 sts. (12)", 12),
+        ("Rnd 3: Join yarn with dc in any st, dc in next 11 sts. (12)", 12),
+        ("Rnd 3: Join B with beg-dc in first st, dc in each of next 11 sts. (12)", 12),
+        ("Rnd 3: *Sc in next 3 sts, ch 3, sc in 2nd ch from hook, sc in next ch; rep from * around. (20)", 12),
+        ("Rnd 3: *Sc in next 2 sts, (sc, ch 1, sc) in next st for corner; rep from * around. (16 sc)", 20),
+    ],
+)
+def test_stitches_that_yarn_is_joined_with_or_that_stand_off_make_the_count(said: str, many: int) -> None:
+    built = build(
+        read(
+            Text(
+                f"{BALL.splitlines()[0]}\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: inc x 6 (12)\n{said}\n",
+                "t.txt",
+            )
+        )
+    )
+    assert built.worked[-1].edge == many and not [w for w in built.warnings if "the pattern says" in w.message]

@@ -117,6 +117,7 @@ class _Worker:
         self.worked: list[Worked] = []
         self.fresh = 0  # the first node of the row or round under way
         self.stitched = False  # the line under way has made more than chains
+        self.along = 0  # stitches worked along its strands
         self.slips = False  # the line under way is a round of slip stitches
         self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
@@ -211,7 +212,7 @@ class _Worker:
         work_strands(hook)
         names = set(_names(line.items))
         elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
-        self.fresh, below, self.left, self.stitched = len(hook), hook.now.count, None, False
+        self.fresh, below, self.left, self.stitched, self.along = len(hook), hook.now.count, None, False, 0
         if line.in_round:
             hook.now.loop, hook.now.folded = BOTH, False
             hook.begin_line()
@@ -240,10 +241,11 @@ class _Worker:
         self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
 
     def _check_count(self, line: Line, made: int) -> None:
-        """A stated count may mean the stitches made in the round or those on its edge, chains aside or not; slip stitches count there."""
+        """A stated count may mean the stitches made in the round or those on its edge, chains aside or not; slip stitches count there, and
+        stitches along strands may."""
         hook = self.hook
         edge = hook.now.count + hook.joined
-        if line.stated in (edge, made) or line.stated is None:
+        if line.stated in (edge, made, made + self.along, edge + self.along) or line.stated is None:
             return
         if line.stated == made - sum(
             hook.styles[hook.style[n]][0] == "ch" and n not in hook.lifts for n in range(self.fresh, len(hook))
@@ -391,6 +393,7 @@ class _Worker:
             into_space(self.hook, stitch, action.times)
         elif stitch.where == "curl":
             hang(self.hook, [(self.pattern.stitches[name], many) for name, many in stitch.inner], action.times)
+            self.along += action.times * sum(many for name, many in stitch.inner if name != "ch")
         elif self.hook.now.folded:
             through_both(self.hook, stitch, action.times)
         elif self.slips and stitch.name == "slst":

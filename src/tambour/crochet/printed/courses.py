@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -17,6 +16,7 @@ _ALONG: Final = frozenset(
     ("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left")
 )
 _CLOSES: Final = frozenset(("close", "closed", "shut", "across"))
+_STANDING: Final = frozenset(("a", "an", "one", "1", "standing", "starting", "initial", "beg", "beginning", "-"))
 _HAVING: Final = frozenset(("having", "increasing", "decreasing", "easing", "spacing", "keeping"))
 FLATTENED: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
 PIECES: Final = frozenset(
@@ -188,7 +188,7 @@ class Courses(Reader):
 
     def joining(self, found: list[Item], token: Token) -> None:
         """``join``, ``join with sl st in first sc``, ``join B with sl st``; without stitches before it, yarn that is joined."""
-        c = self.c
+        c, said = self.c, self.c.at
         by = next((k for k in range(14) if c.look(k) is not None and c.look(k).word == "by"), None)  # type: ignore[union-attr]
         if by is not None and not any(c.mark(".", ";", ahead=k) for k in range(by)) and c.kind("stitch", by + 1):
             c.at += by + 1  # "join Top and Stem by working a sc through each st"
@@ -243,7 +243,7 @@ class Courses(Reader):
             )  # "join to next st with sc through all layers": another piece is tied in
             self.body.both = True
             return
-        found.append(Action("join", token.span))
+        found += (not worked and _joining_stitch(c.tokens[said : c.at])) or [Action("join", token.span)]
 
 
 def _lifts(found: list[Item]) -> bool:
@@ -253,8 +253,10 @@ def _lifts(found: list[Item]) -> bool:
 
 
 def _joining_stitch(clause: list[Token]) -> list[Item]:
-    """The stitch that yarn is joined with, "with sc in first unworked sc", which is the first of the round."""
-    for word, stitch in pairwise(clause):
-        if word.kind == "key" and word.value == "with" and stitch.kind == "stitch" and stitch.value == "sc":
-            return [Action("sc", stitch.span)]
+    """The stitch that yarn is joined with, "with sc in first unworked sc", "with a standing dc", which is the first of the round."""
+    at = next((k + 1 for k, t in enumerate(clause) if t.kind == "key" and t.value == "with"), len(clause))
+    while at < len(clause) and (clause[at].word in _STANDING or clause[at].value == "begin"):
+        at += 1
+    if at < len(clause) and clause[at].kind == "stitch" and clause[at].value in ("sc", "hdc", "dc", "tr"):
+        return [Action(str(clause[at].value), clause[at].span)]
     return []

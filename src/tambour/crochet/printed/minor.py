@@ -16,6 +16,7 @@ _MOST: Final = 12  # stitches of a bump
 _HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
 _PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
 _ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
+_CLOSING: Final = frozenset(("worked", "for"))
 
 
 def plainer(tokens: list[Token]) -> list[Token]:
@@ -39,6 +40,17 @@ def plainer(tokens: list[Token]) -> list[Token]:
     return _often(made)
 
 
+def _closed(tokens: list[Token], at: int, before: Token | None) -> int:
+    """Where words at the end of a clause end that say nothing more, "1 sc in first ch worked", "(sc, ch 1, sc) in next st for corner"; 0 for none."""
+    end = at + 1
+    if tokens[at].word == "for":
+        end += end < len(tokens) and tokens[end].word in ("a", "the")
+        end = end + 1 if end < len(tokens) and tokens[end].word in ("corner", "corners") else 0
+    elif before is None or before.value != "ch":
+        return 0
+    return end if end and (end == len(tokens) or tokens[end].word in _ENDS) else 0
+
+
 def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Token], int] | None:
     """What stands for words that say nothing more, and where they end."""
     token, before = tokens[at], made[-1] if made else None
@@ -51,6 +63,8 @@ def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Toke
         return [], at + 1  # "8 more sc"
     if token.value == "light" and before is not None and before.kind == "stitch" and values[1:2] == ["in"]:
         return [], at + 1
+    if token.word in _CLOSING and (found := _closed(tokens, at, before)):
+        return [], found
     if token.word == "per" and values[1:3] == ["stitch", "in"] and before is not None and before.kind == "stitch":
         return [replace(tokens[at + 2], start=token.start), _key(token, "each")], at + 3
     led = stands and values[:3] == ["in", "each", "stitch"] and at + 4 < len(tokens) and tokens[at + 3].word == ","
