@@ -605,3 +605,28 @@ def test_stitches_that_yarn_is_joined_with_or_that_stand_off_make_the_count(said
         )
     )
     assert built.worked[-1].edge == many and not [w for w in built.warnings if "the pattern says" in w.message]
+
+
+@pytest.mark.parametrize(
+    "said", ["sc around (12) (turn here)", "sc around (12), turn here.", "sc around (12). Turn your work."]
+)
+def test_a_turn_is_one_however_it_is_said(said: str) -> None:
+    pattern = read(
+        Text(
+            f"Toy\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: inc x 6 (12)\nRnd 3: {said}\nRnd 4: sc around (12)\n",
+            "t.txt",
+        )
+    )
+    names = [getattr(i, "name", "") for i in pattern.parts[0].lines[-2].items]
+    assert "turn" in names and "gap" not in names and not pattern.unread
+
+
+@pytest.mark.parametrize("head", ["PAWS (2 x 2)", "Paws 2 x 2", "PAWS – 2 × 2 pieces"])
+def test_pairs_of_pairs_are_four(head: str) -> None:
+    pattern = read(
+        Text(
+            f"Toy\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\n\n{head}\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: sc around (6)\n",
+            "t.txt",
+        )
+    )
+    assert [p.copies for p in pattern.parts] == [1, 4]

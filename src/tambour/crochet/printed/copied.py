@@ -43,6 +43,13 @@ def copies_of(tokens: Sequence[Token], heard: Heard, name: frozenset[str] = froz
         elif token.word not in _MARKS and token.word not in heard.copied and token.word not in name:
             return 0
         worded = worded or token.word in heard.copied or token.word in heard.pairs or token.word in ("x", "*")
+    for a, x, b in zip(tokens, tokens[1:], tokens[2:], strict=False):
+        if (
+            x.word in ("x", "×")
+            and len(counts) == 2
+            and 1 < (many := number_of(a, heard) * number_of(b, heard)) <= _MOST
+        ):
+            return many  # "2 x 2 paws"
     many = max(counts, default=0)
     return many if worded and 1 <= many <= _MOST and len({*counts}) == 1 else 0
 

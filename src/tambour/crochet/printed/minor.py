@@ -16,6 +16,7 @@ _MOST: Final = 12  # stitches of a bump
 _HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
 _PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
 _ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
+_WORK: Final = frozenset(("the", "your", "work", "piece", "here", "now", "again", "over"))
 _CLOSING: Final = frozenset(("worked", "for"))
 
 
@@ -26,6 +27,11 @@ def plainer(tokens: list[Token]) -> list[Token]:
     tokens = _listed(tokens)
     while at < len(tokens):
         token = tokens[at]
+        if (end := _turned(tokens, at)) > at:
+            mark = Token("mark", ",", token.start, token.start)
+            made += [mark, next(t for t in tokens[at:end] if t.value == "turn")][token.kind != "mark" :]
+            at = end
+            continue
         if token.kind == "mark" and token.word != ",":
             made.append(token)
             at += 1
@@ -38,6 +44,22 @@ def plainer(tokens: list[Token]) -> list[Token]:
         made.append(token)
         at += 1
     return _often(made)
+
+
+def _turned(tokens: list[Token], at: int) -> int:
+    """Where words end that turn the work and say no more, "turn here", "turn your work", "(turn now)"; ``at`` for none."""
+    bracket = tokens[at].word in ("(", "[")
+    end = at + bracket
+    if end >= len(tokens) or tokens[end].value != "turn":
+        return at
+    end += 1
+    while end < len(tokens) and tokens[end].word in _WORK:
+        end += 1
+    closed = end < len(tokens) and tokens[end].word in (")", "]")
+    if bracket:
+        return end + 1 if closed else at
+    ends = end == len(tokens) or tokens[end].kind == "mark"
+    return end if ends and end > at + 1 else at
 
 
 def _closed(tokens: list[Token], at: int, before: Token | None) -> int:

@@ -198,7 +198,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         return
     if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and may_stand(r, number):
         r.ask("stands", token.span)
-        usual = r.standing[number.value] if number.value in r.standing else topped(r, number.value)  # type: ignore[union-attr,index]
+        usual = r.standing[number.value] if number.value in r.standing else topped(r, number.value)  # type: ignore[union-attr]
         if ("stands" in r.choices) != usual:
             found.append(Action(CHAINS_OF[number.value], token.span))  # type: ignore[union-attr]
             return
