@@ -212,6 +212,15 @@ OVALS = [
     "2 ch, 2 sc in last ch; join with sl st in first sc—10 sc.",
     "1st rnd: 2 sc in 2nd ch from hook. 1 sc in each ch to last ch. 3 sc in last ch. Working in rem loops of foundation ch, 1 sc in "
     "each ch to end of ch. Join. 10 sc.",
+    *(
+        f"Rnd 1: Sc in 2nd ch from hook, sc in next 2 ch, 3 sc in last ch{said}sc in next 2 ch, 2 sc in last ch (10)"
+        for said in (
+            "; now work along the other side of the chain: ",
+            "; on the other side of the chain work ",
+            ", continue down the other side: ",
+            ", then back along the second side of the chain: ",
+        )
+    ),
 ]
 
 
@@ -237,6 +246,41 @@ ROWED = [
 @pytest.mark.parametrize("said, made", ROWED)
 def test_rows(said, made):
     assert counts(ROWS + said + "\n") == [7, made]
+
+
+# Rows whose turns are said once above them, on a chain that stands in the first of them.
+TURNED = [
+    "The flap is a triangle. Ch 1 and turn at the end of\nevery row; the turning chain does not count as a stitch.\n",
+    "At the end of each row, chain 1 and turn.\n",
+    "Rows are turned with ch 1, which is never counted.\n",
+]
+
+
+@pytest.mark.parametrize("rule", TURNED)
+def test_turns_that_are_said_once(rule):
+    text = f"Toy\n\nFLAP\n{rule}Row 1: Ch 2, sc in 2nd ch (1)\nRow 2: Inc. (2 sts)\nRow 3: Sc 1, inc. (3 sts)\n"
+    assert counts(text) == [1, 2, 3]
+
+
+def test_a_strip_in_yarns_with_names_of_things():
+    rows = (
+        "Row 1: Sc in 2nd ch from hook and in each ch across. (9)\n{}\nRow 2: Ch 1, turn, sc in each st across. (9)\n"
+    )
+    listed = "Toy\n\nYOU WILL NEED\n• Vanilla (sponge), 1 ball\n• Quorp, 1 ball\n\nSIDES\n"
+    for first, then in (
+        ("With Vanilla, ch 10.", "Change to Quorp."),
+        ("Ch 10 in Vanilla.", "Cut Vanilla and change to Quorp."),
+        ("In Vanilla, ch 10.", "Continue with Quorp."),
+    ):
+        text = listed + first + "\n" + rows.format(then)
+        assert counts(text)[-2:] == [9, 9], first
+        hues = [
+            i.numbers
+            for line in read(Text(text, "toy.txt")).parts[0].lines
+            for i in line.items
+            if getattr(i, "name", "") == "color"
+        ]
+        assert [hues[0], *hues[-1:]] == [(246, 234, 204), (176, 134, 92)]  # of the second nothing tells the colour
 
 
 def test_every_other_row():

@@ -114,7 +114,10 @@ def headed(p: State, draft: Draft) -> None:
             clause.append(token)
             continue
         span = Span(clause[0].start, clause[-1].end) if clause else Span(0, 0)
-        hues = [hue for t in clause if (hue := _hue(p, t)) is not None]
+        named = (
+            bool(clause) and clause[0].start <= row.tokens[0].start + 1
+        )  # "PUMPKIN (orange)" is no yarn of that name
+        hues = [] if named else [hue for t in clause if (hue := _hue(p, t)) is not None]
         rest = [
             t
             for t in clause

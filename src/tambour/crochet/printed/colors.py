@@ -162,6 +162,11 @@ class Palette:
         return self.given.get(word) or only or _SHADES[index % len(_SHADES)], length
 
 
+def spare(k: int) -> RGB:
+    """The colour of our choice for the ``k``-th yarn that tells none."""
+    return _SHADES[k % len(_SHADES)]
+
+
 _PARTING: Final = re.compile(r"[(\[,:|/]|[x×]\s?\d|\d\s?[x×]|\s[-–—]\s|[–—]")
 _ASIDES: Final = re.compile(r"[^()\[\],;:|/–—]+")
 _SAID: Final = re.compile(r"[^\W\d_]+")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from tambour.core.errors import Span
@@ -19,6 +20,37 @@ _COURSE: Final = frozenset(
 _WHOLE: Final = frozenset(("all", "every", "throughout", "remaining", "rem", "entire", "whole"))
 _BARE: Final = 3  # words of "Work in back loops only", said before the first round
 _LOOPS: Final = {"front loops": "flo", "back loops": "blo"}
+
+
+_LED: Final = re.compile(r"(?:^|[.;:!?(]|\n[ \t]*\n)[^.;:!?()]*$")
+_TURN: Final = re.compile(r"\bturn(?:s|ed|ing)?\b", re.IGNORECASE)
+_CHAIN: Final = re.compile(r"\b(?:chains?|ch)\b|\bch-?[123]\b", re.IGNORECASE)
+_ALWAYS: Final = re.compile(
+    r"\b(?:each|every|all|always|any)\b|\brows (?:are|end|begin|start)\b|\b(?:after|end of|ends? of|start of|beginning of) (?:a|the|your) rows?\b|\bbetween rows\b",
+    re.IGNORECASE,
+)
+_UNCOUNTED: Final = re.compile(
+    r"\b(?:turning (?:chains?|ch)|ch(?:ain)?[ -]?[123]|chains? at the (?:start|beginning|end)[\w ]*)\b[^.;]{0,40}\b(?:not|never|n't|no|isn['’]t|doesn['’]t|aren['’]t)\b[^.;]{0,20}\b(?:count\w*|stitch(?:es)?|sts?)\b",
+    re.IGNORECASE,
+)
+_STRANGE: Final = re.compile(
+    r"\b(?:sc|dc|hdc|tr|inc|dec|slst|rows? \d|r\d+|repeat|rep|from hook|next|first|skip|last)\b|[4-9]|\d\d",
+    re.IGNORECASE,
+)
+_RULE: Final = 160  # letters of such a sentence
+
+
+def turned_always(text: str, tokens: list[Token]) -> bool:
+    """Whether a sentence, small words and all, only says how rows turn, or that the chains of turning are no stitches: "Ch 1 and turn at the end
+    of every row", "the turning chain does not count as a stitch"."""
+    led = _LED.search(text, max(0, tokens[0].start - _RULE), tokens[0].start)
+    begin = tokens[0].start if led is None else led.start() + (text[led.start()] in ".;:!?(")
+    ended = re.compile(r"[.;!?]|\n[ \t]*\n").search(text, tokens[-1].end)
+    words = " ".join(text[begin : ended.start() if ended is not None else len(text)].split())
+    if len(words) > _RULE or _STRANGE.search(words):
+        return False
+    rule = _TURN.search(words) and _CHAIN.search(words) and _ALWAYS.search(words) and "row" in words.lower()
+    return bool(rule or _UNCOUNTED.search(words))
 
 
 def convention(p: State, tokens: list[Token]) -> bool:

@@ -153,15 +153,28 @@ def decided(
     for what, span in first.asked.items():
         first_way, second_way = READINGS[what]
         if body is not first and what in body.asked and what not in ("pair", "stands", "passed"):
-            said = f"this can be read as {first_way}, or as {second_way}: the count speaks for the second"
+            judge = "the round below" if body.stated is None else "the count"
+            said = f"this can be read as {first_way}, or as {second_way}: {judge} speaks for the second"
             source.doubt(said, "say it so that there is one reading", span)
-        elif body is first and what not in _QUIET and what != "open" and body.stated is None:
+        elif (
+            body is first
+            and what not in _QUIET
+            and what != "open"
+            and body.stated is None
+            and not _filled(body, edge, source.stitches)
+        ):
             source.doubt(
                 f"this can be read as {first_way}, or as {second_way}; the first is taken",
                 "a stated count would decide",
                 span,
             )
     return body
+
+
+def _filled(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> bool:
+    """Whether items that say how often they are worked use up the round below to the last stitch, which speaks for their reading."""
+    done = worked(body.items, edge, stitches) if edge else None
+    return done is not None and done[1] == edge and any(isinstance(i, Group) and i.times for i in body.items)
 
 
 def _standing(items: list[Item]) -> list[int]:

@@ -57,6 +57,11 @@ def colors_told(p: State) -> None:
             p.source.doubt("the colour of this yarn is not known", "say it in a word for a colour: light pink", span)
     if p.palette.told:
         named = p.palette.named
-        letters = ", ".join(dict.fromkeys(w.upper() + (f" ({named[w]})" if w in named else "") for w in p.palette.told))
+        letters = ", ".join(
+            dict.fromkeys(
+                (w.upper() if len(w) < 3 else w.title()) + (f" ({named[w]})" if w in named else "")
+                for w in p.palette.told
+            )
+        )
         hint = "say which colours they are: A = brown"
         p.source.doubt(f"the yarns {letters} are given colours of our choice", hint, Span(0, 0))

@@ -31,6 +31,9 @@ _AS: Final = (
     r"as described for|as written for|(?:are|is) (?:worked )?(?:the |exactly the |just the )?(?:same )?(?:as|like)(?: for| in| on| those of| that of)?)"
 )
 _IN: Final = r"(?:(?: ,)?(?: all| but| only| worked)* in (?:the )?(?P<hue>[^\W\d_]{1,12}(?: (?!only)[^\W\d_]{3,12})?)(?: only)?)?"
+_YARNED: Final = (
+    r"(?: ,)?(?: (?:in|with|using) (?:the )?(?P<hue>[^\W\d_]{1,12}(?: (?!only|yarn)[^\W\d_]{3,12})?)(?: yarn)?)?"
+)
 _WORK: Final = r"(?:work|make|do|crochet|complete|start|begin|repeat|rep|follow|see|proceed|continue|cont)(?: with| by working| by making| with working)?"
 _EACH: Final = r"(?:(?:1|one|a) )?(?P<st>sc|dc|single crochet|double crochet|single crochets)(?: stitch)?(?: (?:in|into) (?:each|every|all|the)(?: of the)? ?(?:st|sts|stitch|stitches|sc|dc)?| evenly| even)?(?: around| all around| round)?(?: , | )?"
 _PLAIN: Final = (
@@ -98,7 +101,7 @@ _BEGUN: Final = _rules(  # whole sentences, without the head of a round
     (rf"(?:{_WORK} )?{_SPAN}(?: only)?(?: again)? {_AS} {_NAME}{_IN}{_STOP}", _of),
     (rf"{_WORK} (?:as |as for )?(?P<name>[^\W\d_]+(?: [^\W\d_]+)?) {_SPAN}{_STOP}", _of),
     (
-        rf"(?:{_WORK} (?:{_AS} )?|{_AS} )(?:the instructions (?:for|of) )?{_NAME}(?: instructions| pattern)?(?: ,| \()? (?:for |working |work |only )?{_SPAN}(?: only)?(?: \))?{_ENDED}",
+        rf"(?:{_WORK} (?:{_AS} )?|{_AS} )(?:the instructions (?:for|of) )?{_NAME}(?: instructions| pattern)?(?: ,| \()? (?:for |working |work |only )?{_SPAN}(?: only)?(?: \))?{_YARNED}{_ENDED}",
         _of,
     ),
     (rf"{_NAME} {_SPAN}$", _of),

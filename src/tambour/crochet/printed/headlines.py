@@ -144,10 +144,12 @@ def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
 def _passes(tokens: list[Token], k: int) -> bool:
     """Whether a word around a yarn's name names none: "All in", "Crochet hook C in", a mark."""
     token, before = tokens[k], tokens[k - 1] if k else None
-    if token.word in (".", ":", ",", "[", "]", "(", ")", "all"):
+    if token.word in (".", ":", ",", "[", "]", "(", ")", "all", "attach", "swap"):
         return True
     if token.kind == "key":
-        return token.value in (*_OF_YARN, "hook")
+        return token.value in (*_OF_YARN, "hook") or (
+            token.value == "to" and k > 0 and before is not None and before.word == "swap"
+        )
     return before is not None and before.value == "hook" and len(token.word) == 1
 
 
@@ -231,3 +233,17 @@ def dyed_first(p: State, tokens: list[Token]) -> int:
     hue = p.palette.color(Cursor(tokens, 1)) or p.palette.letter(Cursor(tokens, 1), 1)
     handed = bool(rest) and (rest[0].value in ("stuff", "eyes", "marker", "close") or by_hand(rest))
     return cut if handed and hue is not None and 1 + hue[1] == cut else 0
+
+
+def dyed_last(p: State, tokens: list[Token]) -> int:
+    """Where the clause begins that only changes the yarn, behind one that hands do: "Cut the yarn and change to white"; 0 where none does."""
+    cut = next((k for k in range(len(tokens) - 1, 0, -1) if tokens[k].value == "color"), 0)
+    if not cut or tokens[0].value == "color" or p.mode in ("materials", "abbreviations"):
+        return 0
+    first = tokens[:cut]
+    while first and (first[-1].word in (",", "then", "and") or first[-1].value == "and"):
+        first = first[:-1]
+    hue = p.palette.color(Cursor(tokens, cut + 1)) if cut + 1 < len(tokens) else None
+    if hue is None or cut + 1 + hue[1] != len(tokens) or len(first) == cut or not by_hand(first):
+        return 0
+    return cut if not any(t.kind in ("stitch", "number") for t in first) else 0

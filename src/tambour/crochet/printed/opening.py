@@ -61,6 +61,7 @@ def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
     if (
         not at
         or at == len(tokens)
+        or tokens[0].value == "in"  # "In Vanilla, ch 10"
         or tokens[0].kind not in ("word", "ordinal", "key")
         or (not tokens[0].capital and tokens[0].kind != "ordinal" and tokens[at].word != ":")
     ):

@@ -24,7 +24,7 @@ from tambour.crochet.printed.beyond import (
     twin_made,
 )
 from tambour.crochet.printed.colors import numbered
-from tambour.crochet.printed.conventions import convention
+from tambour.crochet.printed.conventions import convention, turned_always
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
@@ -32,7 +32,7 @@ from tambour.crochet.printed.doings import works as works_at
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
-from tambour.crochet.printed.headlines import dyed_first, dyed_only
+from tambour.crochet.printed.headlines import dyed_first, dyed_last, dyed_only
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.hung import joined_in_loops
 from tambour.crochet.printed.items import EVENED, bare_count, evens, flat, lifts, lifts_alone, rings, smooths, works
@@ -128,6 +128,11 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         if rest and not sentence_read(p, rest):
             left_over(p, rest)
         return dyed
+    if cut := dyed_last(p, tokens):
+        return sentence_read(p, tokens[cut:])
+    if p.language.code in ("us", "uk") and turned_always(p.source.text.text, tokens):
+        p.passed.append(Span(tokens[0].start, tokens[-1].end))
+        return True
     tokens = turned(tokens, TERMS[p.language.code].heard.said.get("through", ()))
     if laid(p, tokens):
         return True

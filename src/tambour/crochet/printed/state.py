@@ -43,6 +43,7 @@ from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.told import told
 from tambour.crochet.printed.twofold import once
 from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.printed.wools import learned
 from tambour.crochet.printed.wrapping import unwrapped
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
@@ -137,6 +138,8 @@ class State:
         self.palette = Palette(
             [*self.vocabulary.stitches(), *_KNOWN], ours, {} if "us" in (terms.base, terms.code) else hues
         )
+        if self.language.code in ("us", "uk", "letters") and not ours:
+            learned(source.text.text, self.palette, self.vocabulary)
         self.phrases = Phrases(terms, {}, lettered(source.text.text, terms), hues)
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []

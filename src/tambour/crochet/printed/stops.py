@@ -14,12 +14,28 @@ def same_row(tokens: list[Token], begin: int, at: int) -> bool:
     hook. *5 dc in next ch. Rep from * to end of chain."."""
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     hooked = any(t.kind == "key" and t.value == "hook" for t in tokens[begin:at])
-    if after is None or not hooked or tokens[begin].value == "ch":
+    onward = after is not None and _onward(tokens, at + 1)
+    if after is None or not hooked or (tokens[begin].value == "ch" and not onward):
         return False
+    if onward:
+        return True
     stop = next((k for k in range(at + 1, len(tokens)) if tokens[k].word in (".", ";")), len(tokens))
     starred = after.word == "*" or (after.value == "repeat" and any(t.word == "*" for t in tokens[begin:at]))
     numbered = after.kind == "number" and at + 2 < len(tokens) and tokens[at + 2].kind == "stitch"
     return starred or (numbered and bare_count(tokens[at + 1 : stop]) is None)
+
+
+def _onward(tokens: list[Token], at: int) -> bool:
+    """Whether the words from ``at`` go on along the other side of the chain: "3 sc in last ch. Now work along the other side: …"."""
+    for token in tokens[at : at + _LED]:
+        if token.kind == "key" and token.value == "side":
+            return True
+        if token.kind in ("stitch", "number") and token.value not in ("ch", "sc"):
+            return False
+    return False
+
+
+_LED: Final = 6  # words before those that name the other side
 
 
 def held(tokens: list[Token]) -> set[int]:

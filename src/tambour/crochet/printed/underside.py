@@ -56,7 +56,39 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
             continue
         made.append(tokens[at])
         at += 1
+        if _hooked(tokens, at):
+            made += [
+                Token("key", word, tokens[at - 1].end, tokens[at - 1].end, value)
+                for word, value in (("from", "from"), ("hook", "hook"))
+            ]
+        if _unparted(tokens, at):
+            made.append(Token("mark", ",", tokens[at - 1].end, tokens[at - 1].end))
     return made
+
+
+def _hooked(tokens: list[Token], at: int) -> bool:
+    """Whether the words before ``at`` name the chain that a row begins in, and not the hook: "ch 2, sc in 2nd ch (1)"."""
+    ends = at == len(tokens) or tokens[at].kind == "mark"
+    if not ends or at < _CHAINED or tokens[at - 1].value != "ch" or tokens[at - 2].value not in _HOOKED:
+        return False
+    before = [t for t in tokens[:at] if t.word not in (",", ".", ";") and t.kind != "filler" and t.value != "and"]
+    said = [t.kind if t.value != "ch" else "ch" for t in before]
+    tail = ["ordinal", "ch"]
+    ways = (["ch", "number", *middle, *tail] for middle in (["stitch", "key"], ["number", "stitch", "key"]))
+    return any(said[-len(way) :] == way for way in ways) and before[-3].value == "in"
+
+
+_CHAINED: Final = 6
+
+
+def _unparted(tokens: list[Token], at: int) -> bool:
+    """Whether stitches follow right behind words for the other side: "on the other side of the chain work sc in next 3 ch"."""
+    if not 1 < at < len(tokens) or tokens[at - 1].value != "side" or tokens[at - 2].value not in ("in", "around"):
+        return False
+    worked = tokens[at].kind == "number" and at + 1 < len(tokens) and tokens[at + 1].kind == "stitch"
+    return ((tokens[at].kind == "stitch" and tokens[at].value != "ch") or worked) and (
+        at < 3 or tokens[at - 3].word in _STOPS
+    )
 
 
 _HOOKED: Final = range(2, 7)  # which chain from the hook is the first that is worked into
@@ -106,6 +138,8 @@ def _other(tokens: list[Token], at: int) -> int:
         words = token.word.split(" ")
         if token.kind == "number" and token.value == 180:
             pass
+        elif token.value == 2 and token.kind == "ordinal" and end + 1 < len(tokens) and tokens[end + 1].word == "side":
+            side, end = True, end + 1  # "back along the second side of the chain"
         elif token.kind in ("number", "ordinal") or token.word in _STOPS:
             break
         elif token.value == "side":
@@ -149,5 +183,6 @@ def _other(tokens: list[Token], at: int) -> int:
         for t in tokens[at:end]
         for w in t.word.split(" ")
     )
-    plain = end - at <= 2 and any(t.value == "side" for t in tokens[at:end])
-    return end if side and chain and moves and not plain else at
+    led = tokens[at].word in ("down", "up")  # "down the other side"
+    plain = not led and end - at <= 2 and any(t.value == "side" for t in tokens[at:end])
+    return end if side and chain and (moves or led) and not plain else at
