@@ -11,17 +11,18 @@ from tambour import noise
 from tambour.crochet.settle import contact
 
 
-@pytest.mark.parametrize("size", [0.6, 2.0, 40.0])
-def test_every_pair_within_reach_is_listed_once(size: float) -> None:
+@pytest.mark.parametrize(("size", "block"), [(0.6, 2048), (2.0, 2048), (2.0, 7), (40.0, 2048)])
+def test_every_pair_within_reach_is_listed_once(size: float, block: int, monkeypatch: pytest.MonkeyPatch) -> None:
     toy = toys.ball(3, 3)
     n = len(toy)
     x = noise.stream("contact", str(size)).normal(size=(n, 3)) * size
     x[0] = [1e7, 0.0, 0.0]  # far-flung nodes are no burden
     offsets, neighbours = contact.ragged(n, toy.edges, np.zeros(len(toy.edges), bool))
-    out, reach = np.empty((n * n, 2), np.int32), np.empty(n * n)
-    count = contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5, out, reach)
-    found = {(int(i), int(j)): h for (i, j), h in zip(out[:count], reach[:count])}
-    assert len(found) == count
+    monkeypatch.setattr(contact, "BLOCK", block)
+    pairs, reach = contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5)
+    found = {(int(i), int(j)): h for (i, j), h in zip(pairs, reach)}
+    assert len(found) == len(pairs)
+    assert (np.diff(pairs[:, 0]) >= 0).all()
     beside = [set(neighbours[offsets[i] : offsets[i + 1]].tolist()) for i in range(n)]
     for i in range(n):
         for j in range(i):
@@ -35,19 +36,16 @@ def test_contact_is_the_formula() -> None:
     n = len(toy)
     x = noise.stream("contact", "force").normal(size=(n, 3))
     offsets, neighbours = contact.ragged(n, toy.edges, np.zeros(len(toy.edges), bool))
-    out, reach = np.empty((n * n, 2), np.int32), np.empty(n * n)
-    count = contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5, out, reach)
     D = np.zeros_like(x)
-    contact.contact(x, out[:count], reach[:count], 0.3, D)
+    contact.contact(x, *contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5), 0.3, D)
     np.testing.assert_allclose(D, plain.contact(x, toy.edges, 1.0, 0.7, 0.3), rtol=1e-10, atol=1e-12)
     np.testing.assert_allclose(D.sum(0), 0.0, atol=1e-10)
 
 
-def test_a_short_buffer_asks_for_more() -> None:
-    x = noise.stream("contact", "short").normal(size=(40, 3)) * 0.3
+def test_a_heap_of_stitches_finds_room_for_all_its_pairs() -> None:
+    x = noise.stream("contact", "short").normal(size=(40, 3)) * 0.1
     offsets, neighbours = contact.ragged(40, np.zeros((0, 2), np.int32), np.zeros(0, bool))
-    few, room = np.empty((3, 2), np.int32), np.empty(3)
-    assert contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5, few, room) > 3
+    assert len(contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5)[0]) == 40 * 39 // 2
 
 
 def test_across_a_seam_only_the_stitches_sewn_are_joined() -> None:
@@ -55,7 +53,6 @@ def test_across_a_seam_only_the_stitches_sewn_are_joined() -> None:
     offsets, neighbours = contact.ragged(5, edges, sewn)
     x = np.zeros((5, 3))
     x[:, 0] = np.arange(5) * 0.1
-    out, reach = np.empty((20, 2), np.int32), np.empty(20)
-    count = contact.pairs(x, offsets, neighbours, 1.2, 1.0, 0.5, out, reach)
-    found = {tuple(p): h for p, h in zip(out[:count].tolist(), reach[:count])}
+    pairs, reach = contact.pairs(x, offsets, neighbours, 1.2, 1.0, 0.5)
+    found = {tuple(p): h for p, h in zip(pairs.tolist(), reach)}
     assert found == {(2, 0): 1.0, (3, 0): 1.2, (3, 1): 1.2, (4, 0): 1.2, (4, 1): 1.2, (4, 2): 1.2}

@@ -181,12 +181,9 @@ def touching(body: Body, state: State) -> None:
     known = state.listed
     if known is not None and len(known) == len(x) and contact.strayed(x, known) < (0.5 * SKIN) ** 2:
         return
-    out, reach = np.empty((max(256, 4 * len(x)), 2), np.int32), np.empty(max(256, 4 * len(x)))
-    found = contact.pairs(x, body.offsets, body.neighbours, body.reach, body.near, SKIN, out, reach)
-    if found > len(out):
-        out, reach = np.empty((found, 2), np.int32), np.empty(found)
-        contact.pairs(x, body.offsets, body.neighbours, body.reach, body.near, SKIN, out, reach)
-    state.pair, state.reach, state.listed = out[:found], reach[:found], x.copy()
+    asked = (body.offsets, body.neighbours, body.reach, body.near, SKIN)
+    state.pair, state.reach = contact.pairs(x, *asked)
+    state.listed = x.copy()
 
 
 def build(

@@ -10,12 +10,15 @@ import math
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1
+from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1, I8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
+from tambour.core.threads import share
 
 BESIDE = 0.25
 """How far beside a triangle, in shares of it, a stitch still lies on it."""
+BLOCK = 2048
+"""Nodes whose pairs are looked for at once."""
 
 
 @kernel
@@ -47,16 +50,10 @@ def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
 
 
 @kernel
-def pairs(
-    x: F8x2, offsets: I8x1, neighbours: I4x1, far: float, near: float, skin: float, out: I4x2, reach: F8x1
-) -> int:
-    """List the pairs i > j that may touch before anything has moved half the ``skin``; gives how many there are.
-
-    x : (N, 3); offsets, neighbours : the edges as ragged lists, each rising; far, near : the two reaches
-    out : (M, 2), reach : (M,) are filled as far as they go; a result above M asks for larger ones.
-    """
+def _cells(x: F8x2, cell: float) -> tuple[Array, Array, Array, Array]:
+    """Nodes in the order of their cells (N,), which cell each lies in (N,), and of the nine rows of three cells about each cell from where (C, 9) to
+    where (C, 9) they go in that order."""
     n = len(x)
-    cell = far + skin
     low, high = np.empty(3), np.empty(3)
     for q in range(3):
         low[q], high[q] = x[:, q].min(), x[:, q].max()
@@ -70,7 +67,7 @@ def pairs(
         key[i] = ((int(w) + 1) * ny + int(v) + 1) * nx + int(u) + 1
     order = np.argsort(key, kind="mergesort")
     ranked = key[order]
-    # The rows of three cells about each cell, from where to where in that order: cells and rows are walked along side by side.
+    # Cells and rows are walked along side by side.
     cell_of, cells = np.empty(n, np.int64), np.empty(n, np.int64)
     count = 0
     for k in range(n):
@@ -88,8 +85,29 @@ def pairs(
             while end < n and ranked[end] <= cells[c] + middle + 1:
                 end += 1
             begins[c, row], ends[c, row] = begin, end
+    return order, cell_of, begins, ends
+
+
+@kernel
+def _listed(
+    x: F8x2,
+    offsets: I8x1,
+    neighbours: I4x1,
+    far: float,
+    near: float,
+    order: I8x1,
+    cell_of: I8x1,
+    begins: I8x2,
+    ends: I8x2,
+    first: int,
+    last: int,
+    out: I4x2,
+    reach: F8x1,
+    skin: float,
+) -> int:
+    """The pairs of nodes i from ``first`` to ``last``, as of :func:`pairs`; gives how many there are: only so many as there is room for are filled in."""
     found = 0
-    for i in range(n):
+    for i in range(first, last):
         c = cell_of[i]
         for row in range(9):
             for k in range(begins[c, row], ends[c, row]):
@@ -108,6 +126,29 @@ def pairs(
                     out[found, 0], out[found, 1], reach[found] = i, j, h
                 found += 1
     return found
+
+
+def pairs(x: Array, offsets: Array, neighbours: Array, far: float, near: float, skin: float) -> tuple[Array, Array]:
+    """The pairs i > j (M, 2) that may touch before anything has moved half the ``skin``, and the reach (M,) of each.
+
+    x : (N, 3); offsets, neighbours : the edges as ragged lists, each rising; far, near : the two reaches, near for what is two or three edges apart
+    """
+    if not len(x):
+        return np.zeros((0, 2), np.int32), np.zeros(0)
+    told = _cells(x, far + skin)
+    found: dict[int, tuple[Array, Array]] = {}
+
+    def look(a: int, b: int) -> None:
+        asked, size = (x, offsets, neighbours, far, near, *told, a, b), 4 * (b - a)
+        while a not in found:
+            out, reach = np.empty((size, 2), np.int32), np.empty(size)
+            size = int(_listed(*asked, out, reach, skin))
+            if size <= len(out):
+                found[a] = out[:size], reach[:size]
+
+    share(len(x), BLOCK, look)
+    made = [found[a] for a in sorted(found)]
+    return np.concatenate([out for out, _ in made]), np.concatenate([reach for _, reach in made])
 
 
 @kernel
