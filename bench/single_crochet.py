@@ -56,8 +56,9 @@ HEAD = [
 ]  # fmt: skip
 
 # Where the loop's legs stand in the end, from the column's foot (row of the table, u with the lean taken off): close together
-# in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel.
-LEGS = {0: -0.298, 1: -0.187, 2: -0.163, 3: -0.159, 43: 0.187, 44: 0.286, 45: 0.481, 7: -0.01, 8: -0.07, 9: -0.125, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37, 16: 0.275, 17: 0.19, 18: 0.16}  # fmt: skip
+# in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel. Out of their hole they
+# spread at once: points that stand far apart show the row below between them, as teeth where the colour changes.
+LEGS = {0: -0.337, 1: -0.211, 2: -0.139, 3: -0.123, 7: -0.055, 8: -0.093, 9: -0.13, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37, 16: 0.305, 17: 0.235, 18: 0.16, 43: 0.197, 44: 0.343, 45: 0.503}  # fmt: skip
 
 # Behind, the yarn from a head lies over to the next stitch before it goes down to the hole: the bump across every stitch
 # that a row shows on its other side. Drawn tight alone it runs straight down there, a hook.
@@ -69,7 +70,7 @@ DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45
 
 # And how high its head begins (row, v): down in the gap between the stitches worked over it, and, above, deep in it. Drawn tight
 # alone it stands up there before them: where the colour changes the old one has teeth.
-LOW = {0: 0.73, 1: 0.58, 2: 0.38, 3: 0.2, 43: 0.86, 44: 0.79, 45: 0.77, 27: 0.93, 28: 1.02, 29: 1.09, 30: 1.09, 31: 1.14, 32: 1.22, 39: 1.24, 40: 1.18}  # fmt: skip
+LOW = {0: 0.69, 1: 0.575, 2: 0.44, 3: 0.27, 27: 0.93, 28: 1.02, 29: 1.09, 30: 1.09, 31: 1.14, 32: 1.22, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.8, 45: 0.765}  # fmt: skip
 
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:

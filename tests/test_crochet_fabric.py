@@ -23,7 +23,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
-from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, near, spline, surface
+from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, near, spline, surface, upright
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -327,7 +327,7 @@ def test_a_v_stands_upright_however_thin_the_limb(around: int) -> None:
     made = make(Text("\n".join([*words, *[f": {around} sc"] * 12])), CrochetParams(), Progress())
     graph, x = made.built.graph, made.positions
     led, rows = lead.way(graph), course.course(graph, x, loops.LEAN["over"])
-    at, out = fabric._upright(led.at, led, graph, rows, loops.LEAN["over"]), np.zeros((len(led.cell), 3))
+    at, out = upright.upright(led.at, led, graph, rows, "over"), np.zeros((len(led.cell), 3))
     free, ring = np.diff(graph.anchor_offsets) == 0, graph.peculiarity == ROOT
     own = (
         graph.height,

@@ -12,6 +12,9 @@ from tambour.core.kernels import kernel
 from tambour.core.mesh import Mesh
 from tambour.core.strands import Strands
 
+SOFT = 0.2
+"""How round the bottom of the groove between plies is: fibres fill it, and a sharp one is a crease."""
+
 
 @kernel
 def frames(coords: F8x2, offsets: I8x1, tangent: F8x2, across: F8x2, side: F8x2) -> None:
@@ -120,7 +123,8 @@ def _rings(
                 v = k / sides
                 wave = 1.0
                 if plies > 0:
-                    wave = 1.0 + groove * (abs(cos(pi * plies * (v - turns))) - 0.64)
+                    ripple = cos(pi * plies * (v - turns))
+                    wave = 1.0 + groove * (sqrt(ripple * ripple + SOFT) - 0.78)
                 c, d = wide * wave * cos(2.0 * pi * v), wide * wave * sin(2.0 * pi * v)
                 vertices[vertex, 0] = coords[i, 0] + out * tx + c * ax + d * bx
                 vertices[vertex, 1] = coords[i, 1] + out * ty + c * ay + d * by

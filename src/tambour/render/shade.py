@@ -18,7 +18,7 @@ DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.08  # how much lighter and darker single fibres are: more, and wool looks carved
 TILES = 2.0  # of fibres to a turn of the twist: fibres are short, however long a turn is
-SOFT = 0.09  # how round the bottom of the groove between plies is
+SOFT = 0.2  # how round the bottom of the groove between plies is
 
 
 @kernel

@@ -22,6 +22,7 @@ from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.points import BLOCK
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
+from tambour.crochet.yarn.upright import upright
 from tambour.geometry.motion import length
 from tambour.geometry.tube import sweep
 from tambour.noise import stream
@@ -34,8 +35,6 @@ FRAYED = 0.6
 """What is left of that at its very end, where its fibres are of all lengths."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
-MOST = 0.5
-"""Legs are brought upright by so much at the most, in widths over a stitch's height."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -74,7 +73,7 @@ def strands(
         x = eased(graph, x, role, *leaning(graph, LEAN[hold]))
     x = domed(graph, arched(graph, level(graph, x, role), role))
     rows = course(graph, x, LEAN[hold])
-    at = _upright(_varied(led), led, graph, rows, LEAN[hold])
+    at = upright(_varied(led), led, graph, rows, hold)
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
     root, free = graph.peculiarity == ROOT, np.diff(graph.anchor_offsets) == 0
     share(
@@ -169,28 +168,6 @@ def _thick(led: Way, graph: StitchGraph) -> Array:
     return out
 
 
-def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float) -> Array:
-    """The way's points (P, 3) with the legs of stitches brought upright whose columns lean otherwise to the right than those in
-    which the course was found: where work is joined or turned, towards ends that are sewn on, where they lean back, and in
-    thin limbs, whose columns stuffing winds about them, by two stitches in as many rounds as they have stitches."""
-    _, number, count = np.unique(graph.round, return_inverse=True, return_counts=True)
-    around = count[number]
-    glided = (rows.host + rows.slip - np.arange(len(graph))) / around  # turns
-    worked = np.flatnonzero(np.diff(graph.anchor_offsets) > 0)
-    first, last = graph.anchors[graph.anchor_offsets[worked]], graph.anchors[graph.anchor_offsets[worked + 1] - 1]
-    along = rows.along[worked]
-    wound = ((rows.x[worked] - 0.5 * (rows.x[first] + rows.x[last])) * along).sum(1) / np.maximum(
-        (along**2).sum(1), 1e-9
-    )
-    aside = np.clip(wound, -MOST, MOST) + (glided[worked] - glided[last]) * around[worked]
-    mean = (np.bincount(number[worked], aside) / np.maximum(np.bincount(number[worked]), 1))[number[worked]]
-    bring = np.zeros(len(graph))
-    bring[worked] = np.clip(lean + mean, -MOST, MOST)
-    out = at.copy()
-    share(len(out), BLOCK, lambda a, b: points.erect(led.cell[a:b], out[a:b], graph.height, bring))
-    return out
-
-
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:
     """Polylines with every segment in ``pieces``, along smooth curves through their points; and which point each is, with its share of the next."""
     lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
@@ -255,7 +232,7 @@ PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 11.0
+LAY = 8.5
 """Radii along which plies wind once about the yarn: they lie 30 degrees to its way. Steeper, one leg of a V shows them lying
 along it and the other across it, and no two legs are alike."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
@@ -287,7 +264,7 @@ def mesh(
             made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
         )
         made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data={})
-        yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.12, wander=WANDER, material=kind.surface)
+        yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.17, wander=WANDER, material=kind.surface)
     else:
         yarn = sweep(made, sides=SIDES[detail], lay=LAY, wander=WANDER, material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)

@@ -20,8 +20,8 @@ SQUEEZED = 0.15
 """How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 FULLER = 0.2
 """How much thicker the legs of half doubles are in their middle."""
-ERECT = 1.2
-"""How far stitches' legs are brought upright for what their column does not lean, in times of that: not quite all of it shows."""
+HIGHEST = 0.8
+"""Up to here, of a stitch's height, legs are brought upright the further the higher; the arch between them stays where it is."""
 
 
 @inner
@@ -48,8 +48,8 @@ def erect(cell: I4x1, at: F8x2, height: F8x1, bring: F8x1) -> None:
         high, v = height[cell[p]], at[p, 1]
         if high < TALL:
             high = max(high, 1.0)
-            front = _share(at[p, 2] / 0.25) * _share(v / high / 0.8) * _share((0.2 + high - v) / 0.3)
-            at[p, 0] -= ERECT * front * bring[cell[p]]
+            front = _share(at[p, 2] / 0.25) * min(max(v / high, 0.0), HIGHEST) * _share((0.2 + high - v) / 0.3)
+            at[p, 0] -= front * bring[cell[p]]
 
 
 @kernel

@@ -1,0 +1,102 @@
+"""Upright: the Vs of stitches stand upright, whatever way their columns go."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from tambour.core.arrays import B1x1, F8x1, F8x2, I4x1, I8x1
+from tambour.core.check import Array
+from tambour.core.graph import ROOT, StitchGraph
+from tambour.core.kernels import kernel
+from tambour.core.threads import share
+from tambour.crochet.yarn.course import Course, on_row
+from tambour.crochet.yarn.lead import Way
+from tambour.crochet.yarn.points import BLOCK, erect
+
+SLANTS: Final = {"over": 0.41, "under": 0.08}
+"""How far the middle of a V moves along the work in a cell whose column stands upright, in widths over its height; what of it is brought upright."""
+MIDDLE: Final = 0.23
+"""Where in its cell a V stands."""
+MOST: Final = 0.8
+"""Legs are brought upright by so much at the most, in widths over a stitch's height."""
+
+
+def upright(at: Array, led: Way, graph: StitchGraph, rows: Course, hold: str) -> Array:
+    """The way's points (P, 3) with the legs of stitches brought upright, each by what its own column leans: where work is joined or
+    turned, towards ends that are sewn on, beside increases and decreases, and in thin limbs, whose columns stuffing winds about
+    them, by two stitches in as many rounds as they have stitches."""
+    aside = np.zeros(len(graph))
+    ring = graph.peculiarity == ROOT
+    _leaning(
+        graph.anchors,
+        graph.anchor_offsets,
+        ring,
+        np.ascontiguousarray(rows.x),
+        rows.along,
+        rows.normal,
+        rows.up,
+        rows.after,
+        rows.before,
+        rows.foot,
+        rows.pace,
+        rows.host,
+        rows.slip,
+        aside,
+    )
+    bring = np.where(np.diff(graph.anchor_offsets) > 0, np.clip(aside + SLANTS[hold], -MOST, MOST), 0.0)
+    out = at.copy()
+    share(len(out), BLOCK, lambda a, b: erect(led.cell[a:b], out[a:b], graph.height, bring))
+    return out
+
+
+@kernel
+def _leaning(
+    anchors: I4x1,
+    offsets: I8x1,
+    ring: B1x1,
+    x: F8x2,
+    along: F8x2,
+    normal: F8x2,
+    up: F8x2,
+    after: I4x1,
+    before: I4x1,
+    foot: F8x1,
+    pace: F8x1,
+    host: I4x1,
+    slip: F8x1,
+    aside: F8x1,
+) -> None:
+    """Fill aside (N,): how far along the work every stitch's top stands from what it is worked into, in widths there; those
+    of one place stand together as much as they do in the mean."""
+    low, top = np.zeros((3, 3)), np.zeros((3, 3))
+    n = len(aside)
+    for i in range(n):
+        first, last = offsets[i], offsets[i + 1]
+        if last == first or ring[anchors[first]]:
+            continue
+        j = host[i]
+        on_row(j, slip[i] + MIDDLE, x, along, normal, up, after, before, top)
+        far = size = 0.0
+        for k in range(first, last):
+            a = anchors[k]
+            on_row(host[a], slip[a] + foot[i] + pace[i] * MIDDLE, x, along, normal, up, after, before, low)
+            for c in range(3):
+                far += (top[0, c] - low[0, c]) * along[j, c] / (last - first)
+        for c in range(3):
+            size += along[j, c] * along[j, c]
+        aside[i] = far / max(size, 1e-9)
+    i = 0
+    while i < n:
+        last = i + 1
+        if offsets[i + 1] - offsets[i] == 1:
+            while last < n and offsets[last + 1] - offsets[last] == 1 and anchors[offsets[last]] == anchors[offsets[i]]:
+                last += 1
+        if last > i + 1:
+            mean = 0.0
+            for k in range(i, last):
+                mean += aside[k] / (last - i)
+            for k in range(i, last):
+                aside[k] = mean
+        i = last
