@@ -137,7 +137,7 @@ def hairs(
             )
             # Most are short; few are long, and no two alike.
             rare = r2 * r2 * r2
-            long = radius * table[m, REACH] * (0.10 + 0.50 * r2 * r2 + 0.5 * rare * r2 + 2.6 * rare * rare * rare)
+            long = radius * table[m, REACH] * (0.10 + 0.50 * r2 * r2 + 0.5 * rare * r2 + 1.6 * rare * rare * rare)
             size = 0.0
             for k in range(3):
                 p[k] = vertices[a, k] + r0 * (vertices[b, k] - vertices[a, k]) + r1 * (vertices[c, k] - vertices[a, k])

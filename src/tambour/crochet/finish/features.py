@@ -96,7 +96,7 @@ def meshes(
     from tambour.crochet.finish.ground import Ground, ground
     from tambour.crochet.finish.hair import hair
     from tambour.crochet.finish.motif import threads
-    from tambour.crochet.finish.thread import knot, stitch
+    from tambour.crochet.finish.thread import knot, line
     from tambour.crochet.yarn.fabric import SIDES
     from tambour.geometry.tube import sweep
 
@@ -137,9 +137,8 @@ def meshes(
     for record, at in every:
         if isinstance(record, Embroidery):
             on = under(record.spots[0].part)
-            lines = (threads(on, at, record.motif, record.width) if record.motif else None) or [
-                stitch(on, a, b, record.width) for a, b in zip(at.points[:-1], at.points[1:])
-            ]
+            lines = threads(on, at, record.motif, record.width) if record.motif else None
+            lines = lines or line(on, at.points, record.width)
             lines = lines or [knot(on, at.points[0], at.normals[0], record.width)]
             made.append(_swept(lines, record.width / 2, record.color, max(8, SIDES[detail])))
     seats: list[tuple[Array, Array, float]] = []

@@ -15,14 +15,30 @@ SOFT = 0.55
 """Radius, as a share of its own, with which a stitch lifts those that are laid over it: yarn gives way."""
 LONGEST = 200
 """Points of one stitch, about; a longer one has them further apart."""
-INSIDE = 2.4
-"""How deep, in radii under the fabric's top, a stitch's ends are drawn in."""
+INSIDE, ONWARD = 2.4, 0.5
+"""How deep, in radii under the fabric's top, a stitch's ends are drawn in; and where the next one goes on the same way: deeper, a thin
+line is crumbs."""
 
 
-def stitch(ground: Ground, start: Array, end: Array, width: float) -> Array:
+def line(ground: Ground, points: Array, width: float) -> list[Array]:
+    """The centre lines of stitches from each of ``points`` (K, 3) to the next."""
+    way = np.diff(points, axis=0)
+    way /= np.maximum(length(way)[:, None], 1e-12)
+    deep = np.where((way[1:] * way[:-1]).sum(1) > 0.3, ONWARD, INSIDE)
+    deep = np.concatenate([[INSIDE], deep, [INSIDE]])
+    return [
+        stitch(ground, points[k], points[k + 1], width, (float(deep[k]), float(deep[k + 1])))
+        for k in range(len(points) - 1)
+    ]
+
+
+def stitch(
+    ground: Ground, start: Array, end: Array, width: float, inside: tuple[float, float] = (INSIDE, INSIDE)
+) -> Array:
     """The centre line (P, 3) of a straight stitch in yarn ``width`` mm thick between two places of the fabric.
 
-    It lies on the highest yarn beneath it as a string that is drawn tight, and goes down through the fabric at both ends.
+    It lies on the highest yarn beneath it as a string that is drawn tight, and goes down through the fabric at both ends,
+    ``inside`` radii deep.
     """
     radius = width / 2
     far = float(np.sqrt(((end - start) ** 2).sum()))
@@ -36,8 +52,8 @@ def stitch(ground: Ground, start: Array, end: Array, width: float) -> Array:
         line[1:-1] = 0.25 * line[:-2] + 0.5 * line[1:-1] + 0.25 * line[2:]
         line = np.maximum(line, high)
     bend = min(1.4 * radius, along[-1] / 3)
-    near = np.minimum(along, along[-1] - along) / max(bend, 1e-9)
-    line = line - INSIDE * radius * np.maximum(0.0, 1.0 - near) ** 2
+    for deep, near in zip(inside, (along, along[-1] - along)):
+        line = line - deep * radius * np.maximum(0.0, 1.0 - near / max(bend, 1e-9)) ** 2
     return np.asarray(base + (line + 0.82 * radius)[:, None] * normal)
 
 

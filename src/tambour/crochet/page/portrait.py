@@ -258,8 +258,35 @@ def stand(piece: Plush) -> tuple[float, float]:
     lifted = min(_HIGHEST, max(0.0, rise - _EASY))  # eyes that look up are looked at from higher
     if abs(aside) > _OFF and not several_toys(piece):
         return AHEAD[0] + aside, AHEAD[1] + lifted  # its face was put where its front is not
+    if stands and eyed(piece) is None and len(piece.built.graph.parts) == 1:
+        return AHEAD[0] + behind(piece), AHEAD[1]
     azimuth, elevation = (AHEAD if looks > _SIDEWAYS else QUARTER) if stands else QUARTER if looks > _LOOKS else ASIDE
     return azimuth, elevation + lifted
+
+
+def behind(piece: Plush) -> float:
+    """Radians by which one who looks at a single thing goes round it, so that the steps where its rounds change their colour, or are
+    joined, are behind it: who shows it puts them there. 0 where it has none, or they lie all about it."""
+    from math import atan2, pi
+
+    import numpy as np
+
+    from tambour.core.graph import JOIN
+    from tambour.crochet.yarn.course import leaning
+    from tambour.crochet.yarn.loops import LEAN
+
+    graph, x = piece.built.graph, piece.positions
+    begins = (
+        np.flatnonzero((np.diff(graph.round) > 0) & (np.diff(graph.color.astype(np.int64), axis=0) != 0).any(1)) + 1
+    )
+    steps = np.unique(np.concatenate([begins, graph.edges[graph.edge_kind == JOIN][:, 0]]))
+    steps = leaning(graph, LEAN[piece.params.hold])[0][steps]  # where they show
+    out = (x[steps] - 0.5 * (x.min(0) + x.max(0)))[:, [0, 2]] if len(steps) else np.zeros((0, 2))
+    size = np.sqrt((out**2).sum(1))
+    way = (out[size > 0.0] / size[size > 0.0, None]).sum(0)
+    if np.sqrt((way**2).sum()) < 0.5 * max(len(steps), 1):
+        return 0.0
+    return float(atan2(way[0], way[1])) + pi - AHEAD[0]
 
 
 def eyed(piece: Plush) -> tuple[float, float, float] | None:

@@ -7,7 +7,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.yarn.ends import CHAINED, NONE, STITCH
-from tambour.crochet.yarn.loops import HEAD, TOP
+from tambour.crochet.yarn.loops import HEAD, TALL, TOP
 from tambour.geometry.motion import length
 from tambour.geometry.surface import vertex_normals
 
@@ -39,8 +39,8 @@ _COVERED, _EDGED = np.array([0.0, -0.3, -0.2]), np.array([0.0, -0.18, 0.0])
 TIGHT = 0.5
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
 
-EASED = 7
-"""The last stitches of an open spiral, which come down to the round below."""
+EASED = 10
+"""The last stitches of a spiral that goes no further, which come down to the round below, gently at first and at last."""
 STEP = 0.75
 """How far down the last of them comes, of its height."""
 
@@ -55,6 +55,8 @@ ARCHED = 0.5
 """How high an arch of chains rises at a corner, as a share of how high it could."""
 SUNK = np.array([0.0, 0.45, 0.25])
 """How far down and behind the chain lies that lifts a joined round."""
+WRAPPED = np.array([0.0, 0.28, 0.25])
+"""How far down and behind chains lie about which several tall stitches stand."""
 LAST = 0.35
 """How far the last stitch of all is drawn in towards the one before it, as a share of how far it is from it."""
 
@@ -85,8 +87,15 @@ def _free(graph: StitchGraph, role: Array) -> Array:
 def slipped(graph: StitchGraph, role: Array) -> dict[int, int]:
     """The last stitch of every spiral that is left open, and the one of its last round that its maker slips it into: so its step is
     made low, and its end lies in the edge."""
+    return {i: k for i, (k, joined) in _stepped(graph, role).items() if not joined}
+
+
+def _stepped(graph: StitchGraph, role: Array) -> dict[int, tuple[int, bool]]:
+    """The last stitch of every spiral that ends in an edge, the one of its last round that it comes to, and whether it is joined to that
+    by a slip stitch as written."""
     held = np.zeros(len(graph), np.bool_)
-    held[graph.edges[np.isin(graph.edge_kind, (JOIN, SEWN))].ravel()] = True
+    held[graph.edges[graph.edge_kind == SEWN].ravel()] = True
+    joins = graph.edges[graph.edge_kind == JOIN]
     made = {}
     for part in graph.parts:
         own = np.flatnonzero(role[part.start : part.end] == STITCH) + part.start
@@ -99,28 +108,32 @@ def slipped(graph: StitchGraph, role: Array) -> dict[int, int]:
         i = int(own[-1])
         k = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) + 1
         spiral = k < i and role[k] == STITCH and graph.previous[k] == k - 1 and graph.round[k] == graph.round[i]
+        joined = joins[((joins >= part.start) & (joins < part.end)).any(1)]
+        closed = len(joined) == 1 and joined[0].tolist() == [i, k]
         if (
             spiral
             and i == part.end - 1
+            and (closed or not np.isin(joined, own[-EASED:]).any())
             and not held[own[-EASED:]].any()
             and (graph.direction[own] == graph.direction[i]).all()
         ):
-            made[i] = k
+            made[i] = (k, closed)
     return made
 
 
 def eased(graph: StitchGraph, x: Array, role: Array, host: Array, slip: Array) -> Array:
-    """Positions (N, 3) with the last stitches of every open spiral lower, each more than the one before it.
+    """Positions (N, 3) with the last stitches of every spiral that ends in an edge lower, each more than the one before it.
 
     host, slip : where every stitch shows, of :func:`tambour.crochet.yarn.course.leaning`
     """
-    last = slipped(graph, role)
+    last = _stepped(graph, role)
     made = x.copy() if last else x
     for i in last:
         end = host[i] + slip[i]
         for j in range(int(end) - EASED + 1, i + 1):
             on = graph.anchors[graph.anchor_offsets[j] : graph.anchor_offsets[j + 1]]
-            made[j] += STEP * min(1.0, max(0.0, 1.0 - (end - j) / EASED)) * (x[on].mean(0) - x[j])
+            t = min(1.0, max(0.0, 1.0 - (end - j) / EASED))
+            made[j] += STEP * t * t * (3.0 - 2.0 * t) * (x[on].mean(0) - x[j])
     return made
 
 
@@ -208,6 +221,15 @@ def lowered(graph: StitchGraph, role: Array, start: Array, at: Array) -> None:
     for i in (np.unique(joined) + 1).tolist():
         if i < len(graph) and role[i] == CHAINED and not over[i] and graph.part[i] == graph.part[i - 1]:
             at[int(start[i]) : int(start[i + 1])] -= SUNK
+
+
+def covered(graph: StitchGraph, role: Array, start: Array, at: Array) -> None:
+    """Draw chains down and behind into which tall stitches are worked: their posts stand about them and hide them; as high as others
+    they poke out between, tips of the old colour at the corners of a square."""
+    tall = np.repeat(graph.height >= TALL, np.diff(graph.anchor_offsets))
+    under = np.bincount(graph.anchors[tall], minlength=len(graph)) > 1
+    for i in np.flatnonzero(under & (role == CHAINED)).tolist():
+        at[int(start[i]) : int(start[i + 1])] -= WRAPPED
 
 
 def tightened(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:

@@ -15,6 +15,7 @@ NONE, STITCH, CHAINED = 0, 1, 2
 # An end is woven in: it runs along its own row, close behind the fabric, whichever side that is in a turned row.
 INWARD = np.array([(0.50, 0.42, -0.50), (0.0, 0.38, -0.53), (-0.55, 0.38, -0.53), (-1.1, 0.40, -0.50)])
 OUTWARD = np.array([(2.3, 0.48, -0.50), (1.7, 0.46, -0.53), (1.2, 0.46, -0.53), (0.86, 0.46, -0.36)])
+ONWARD = np.array([(0.45, 0.62, -0.50), (0.9, 0.5, -0.53), (1.4, 0.5, -0.53), (1.9, 0.52, -0.50)])
 _BEGIN = np.array([(1.2, 0.44, -0.50), (0.65, 0.42, -0.53), (0.1, 0.45, -0.53), (-0.22, 0.52, -0.45)])
 # From a stitch in the front of a turned row an end gets behind the fabric around the edge.
 _EDGE = np.array([(0.70, 0.46, 0.0)])

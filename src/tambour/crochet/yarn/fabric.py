@@ -15,7 +15,7 @@ from tambour.core.threads import share
 from tambour.crochet.yarn import points
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
-from tambour.crochet.yarn.edges import arched, domed, eased, level, slipped
+from tambour.crochet.yarn.edges import arched, domed, eased, level
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
@@ -31,7 +31,7 @@ OUT = 0.55
 """What of a loop stitch lies further out than this, in widths, hangs."""
 OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
-FRAYED = 0.6
+FRAYED = 0.92
 """What is left of that at its very end, where its fibres are of all lengths."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
@@ -69,8 +69,8 @@ def strands(
     x = x + graph.stitch_width * _uneven(len(x))
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph, hold)
-    if slipped(graph, role := roles(graph)):
-        x = eased(graph, x, role, *leaning(graph, LEAN[hold]))
+    role = roles(graph)
+    x = eased(graph, x, role, *leaning(graph, LEAN[hold]))
     x = domed(graph, arched(graph, level(graph, x, role), role))
     rows = course(graph, x, LEAN[hold])
     at = upright(_varied(led), led, graph, rows, hold)

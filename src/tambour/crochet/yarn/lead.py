@@ -10,7 +10,7 @@ from tambour.core.check import Array
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
 from tambour.crochet.yarn.course import STANDS
-from tambour.crochet.yarn.edges import braided, lowered, slip, slipped, tightened
+from tambour.crochet.yarn.edges import braided, covered, lowered, slip, slipped, tightened
 from tambour.crochet.yarn.ends import (
     AFTER,
     CHAINED,
@@ -18,6 +18,7 @@ from tambour.crochet.yarn.ends import (
     END,
     INWARD,
     NONE,
+    ONWARD,
     OUTWARD,
     START,
     STITCH,
@@ -46,9 +47,9 @@ _HANGING = np.array(
         (0.06, 0.05, 0.60),
     ]
 )
-SWAY = 0.5
+SWAY = 0.4
 """How far the lower end of one hanging loop lies beside another's, in widths; their lengths differ by as much."""
-CRIMP = 0.16
+CRIMP = 0.09
 """How far what hangs bends to and fro, in widths."""
 # The tops of a popcorn's stitches, folded together in front, before its head; out as far as it bulges.
 _CROWN = np.array(
@@ -160,6 +161,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
             head[:, 2] = _WOUND[:, 2] * (graph.direction[i] or 1)
     braided(graph, role, start, at)
     lowered(graph, role, start, at)
+    covered(graph, role, start, at)
     # A seam draws the heads of a part's last round down to what they are sewn to.
     sewn = np.zeros(n, np.bool_)
     sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
@@ -228,7 +230,15 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     tips = {int(graph.previous[t]) if graph.previous[t] >= 0 else int(t) - 1: t for t in _tips(graph)}
     last = np.ones(n, np.bool_)
     last[:-1] = ~follows[1:]
+    joined = {i: a for i, a in joins.tolist() if role[i] == CHAINED and role[a] == STITCH}
     for i in worked[last[worked]].tolist():
+        if i in joined:
+            # After chains that are joined to a stitch the end is woven in behind that one and the next: behind chains one would see it.
+            a = joined[i]
+            pieces.put(
+                int(start[i + 1]), END, a, int(on[a]), behind(graph, a, ONWARD), 0.5 * float(graph.height[a]) - 0.5
+            )
+            continue
         ended(graph, pieces, i, int(on[i]), int(start[i + 1]), tips.get(i))
         if i in tips:
             # The last top loop is not left lying: its yarn is drawn on.
