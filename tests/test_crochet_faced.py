@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tambour.crochet.finish.fallen import _hang
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import in_rows
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
@@ -117,3 +118,22 @@ def test_a_face_has_one_nose_and_one_pair_of_eyes(said: str, eyes: int, noses: i
 def test_slip_stitches_into_a_row_leave_a_piece_in_rows(third: str) -> None:
     wing = f"WING\nCh 5.\nRow 1: sc in 2nd ch from hook and in each ch across. Turn (4)\nRow 2: ch 1, sc in each sc across. Turn (4)\n{WING[third]}\nRow 4: ch 1, sc in each st across (4)\nFasten off.\n\n"
     assert in_rows(build(read(wing, "Weave in ends.")).graph).tolist() == [True]
+
+
+def test_strands_of_hair_hang_down_and_leave_the_face_free() -> None:
+    """They stood out of a doll's head as a hedgehog's spines do."""
+    turns, rises = np.meshgrid(np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False), np.linspace(-1.4, 1.4, 15))
+    ball = 5.0 * np.column_stack(
+        [(np.cos(rises) * np.sin(turns)).ravel(), np.sin(rises).ravel(), (np.cos(rises) * np.cos(turns)).ravel()]
+    )
+    ways = [np.array([0.8 * np.sin(a), 0.6, 0.8 * np.cos(a)]) for a in np.linspace(0.1, 6.0, 12)]
+    strands = [np.array([(5.0 + 0.5 * k) * way for k in range(30)]) for way in ways]
+    x = np.concatenate([ball, *strands])
+    first = [len(ball) + 30 * k for k in range(len(strands))]
+    _hang(x, np.arange(len(ball)), [(np.arange(a + 1, a + 30), a) for a in first], -30.0, 1.0)
+    for a in first:
+        tip = x[a + 29]
+        assert tip[1] < -4.0 and float(np.hypot(tip[0], tip[2])) < 7.0
+        assert np.diff(x[a + 12 : a + 30, 1]).max() < 0.0
+        low = x[a + 10 : a + 30]
+        assert not ((low[:, 2] > 3.5) & (np.abs(low[:, 0]) < 3.0)).any()

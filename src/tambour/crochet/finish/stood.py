@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import StitchGraph
 from tambour.crochet.finish.brims import pushed_back
+from tambour.crochet.finish.fallen import fallen
 from tambour.crochet.finish.limp import lain, limbs
 from tambour.crochet.finish.poised import TIPS
 from tambour.geometry.motion import fit, turned
@@ -76,6 +77,7 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
             c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
         if limp:
             x = lain(x, own, limbs(task, x, joined, own))
+        x = fallen(task, x, joined, own)
     return x, c
 
 
