@@ -16,7 +16,7 @@ _MOST: Final = 12  # stitches of a bump
 _HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
 _PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
 _ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
-_WORK: Final = frozenset(("the", "your", "work", "piece", "here", "now", "again", "over"))
+_WORK: Final = frozenset(("the", "your", "work", "here", "now", "again", "over"))
 _CLOSING: Final = frozenset(("worked", "for"))
 
 
