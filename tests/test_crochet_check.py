@@ -122,6 +122,17 @@ def test_what_a_run_says_check_says_too(tmp_path: Path) -> None:
         run("crochet", source, CrochetParams(check=True))
     told = [(p.warning, source.read_text()[: p.span.start].count("\n") + 1) for p in refused.value.problems if p.span]
     assert (False, 3) in told and {(True, 4), (True, 6)} <= set(told)
-    assert [at for _, at in told] == sorted(at for _, at in told)
+    assert told[0] == (False, 3)  # a wrong count before all doubts, wherever it stands
+    assert told == sorted(told, key=lambda one: (one != (False, 3), *one))
     warned = run("crochet", source, CrochetParams(solver="none"))["warnings"]
     assert all(any(p.message in w for p in refused.value.problems) for w in warned) and warned
+
+
+@pytest.mark.parametrize("end, many", [("Rnd 5: sc around. [6]\n", 6), ("", 6)])
+def test_an_open_end_is_counted_as_its_round_is(end: str, many: int) -> None:
+    from tambour.crochet.printed.choose import read
+
+    head = "BALL\nRnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: sc around. [12]\n"
+    made = read(Text(head + "Stuff.\nRnd 4: sc2tog around. [6]\n" + end, "toy.txt"))
+    assert made.built is not None
+    assert [p.message for p in tech_edit(made.built) if f"its end of {many} stitches" in p.message]

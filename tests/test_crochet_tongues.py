@@ -5,6 +5,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.finishes import Placed
+from tambour.crochet.printed.assembly import eyes_listed
 from tambour.crochet.printed.choose import read
 
 
@@ -203,3 +204,31 @@ def test_assembly_is_placed_in_every_language(code: str, sewn: str) -> None:
     assert {kopf, korper} & set(sewn_to)  # one of them is sewn to the other
     assert sewn_to[f"{ohren}.1"] == sewn_to[f"{ohren}.2"] == (kopf, 3)
     assert sewn_to[schwanz] == (korper, 3)
+
+
+@pytest.mark.parametrize(
+    "lists, said",
+    [
+        ("brins avant : BAV / brins arrière : BAR", "12 ms en BAR"),
+        ("brins arrière : BRA", "12 ms dans BRA"),
+        ("bra : dans le brin arrière", "12 ms bra"),
+        ("", "12 ms en brin arrière"),
+    ],
+)
+def test_one_loop_by_a_short_word_of_the_text(lists, said):
+    text = f"OURS\n\nAbréviations\nms : maille serrée\n{lists}\n\nTÊTE (en blanc)\nT1 : 6 ms dans un CM (6)\nT2 : 6 aug (12)\nT3 : {said} (12)\n"
+    made = read(Text(text, "ours.txt"))
+    assert not made.unread and "blo" in str(made.parts[0].lines[-1].items).lower()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "– 2 Sicherheitsaugen, 8 mm",
+        "Häkelnadel 3 mm, Augen 8 mm",
+        "* Yeux de sécurité 8 mm (x 2)",
+        "Crochet 2,5 mm, yeux 8 mm",
+    ],
+)
+def test_the_eyes_of_a_list_in_any_language(line):
+    assert "8" in eyes_listed(f"3 mm\n{line}\n") and "3 mm" not in eyes_listed(line)

@@ -115,6 +115,7 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
     from tambour.crochet.finish.pose import pose
     from tambour.crochet.finish.twist import twisted
     from tambour.crochet.graph.build import build
+    from tambour.crochet.graph.check import miscounted
     from tambour.crochet.graph.spots import Spots
     from tambour.crochet.maker.gauge import gauge, odd_hook
     from tambour.crochet.printed.choose import read
@@ -146,11 +147,18 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
 
         if found := tech_edit(built):
             known_of = {(p.message, p.span) for p in found}
-            told = [replace(p, warning=True) for p in said if (p.message, p.span) not in known_of]
-            raise TambourError(sorted([*found, *told], key=lambda p: p.span.start if p.span else 0))
-    for warning in said:
+            told = [replace(p, warning=True) for p in dict.fromkeys(said) if (p.message, p.span) not in known_of]
+            raise TambourError(sorted([*found, *told], key=_first_told))
+    for warning in sorted(dict.fromkeys(said), key=lambda p: not miscounted(p)):
         progress.warn(warning)
     return built, joining, known
+
+
+def _first_told(problem: Problem) -> tuple[bool, bool, int]:
+    """Mistakes of counts before all others, and these before doubts, each in the order of the text."""
+    from tambour.crochet.graph.check import miscounted
+
+    return not miscounted(problem), problem.warning, problem.span.start if problem.span else 0
 
 
 def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known: Gauge, progress: Progress) -> Plush:

@@ -47,6 +47,16 @@ def tech_edit(built: Built) -> list[Problem]:
     return sorted(dict.fromkeys(found), key=lambda p: p.span.start if p.span else 0)
 
 
+_COUNTS = re.compile(
+    r"the pattern says \d+ stitches|this round (?:leaves|needs) \d+|round \d+ leaves rounds out|\d+ would follow"
+)
+
+
+def miscounted(problem: Problem) -> bool:
+    """Whether a problem is of counts, those of stitches or of rounds: what a designer looks for first."""
+    return _COUNTS.search(problem.message) is not None
+
+
 def size_edit(built: Built, size_mm: tuple[float, ...]) -> list[Problem]:
     """The size that the pattern states against the one predicted; no problem when it states none.
 
@@ -85,10 +95,13 @@ def _rounds(built: Built) -> Iterator[Problem]:
     told: set[int] = set()
     last = {w.part: k for k, w in enumerate(built.worked) if w.line.in_round}
     counted = {p.span for p in built.warnings}
+    before: dict[int, bool] = {}  # whether the round before this one of a part is told for its count already
     for k, w in enumerate(built.worked):
         # A partial round before a mark, goto or attach leaves the rest on purpose.
         leaves = k + 1 < len(built.worked) and not built.worked[k + 1].line.in_round
-        if not w.ring or w.left == 0 or w.part in told or w.line.stated_span in counted:
+        follows = before.get(w.part, False)
+        before[w.part] = w.line.stated_span is not None and w.line.stated_span in counted
+        if not w.ring or w.left == 0 or w.part in told or w.line.stated_span in counted or follows:
             continue
         if w.left > 0 and (leaves or k == last[w.part] or _stops(w.line.items)):
             continue
@@ -177,6 +190,8 @@ def _open(built: Built, off: set[int]) -> Iterator[Problem]:
         ):
             continue
         rim = _rim(built, k)
+        made = next((w.edge for w in reversed(built.worked) if w.part == k and w.line.in_round), rim)
+        rim = made if abs(rim - made) == 1 else rim  # where a spiral stops, a step is an edge more
         if rim > 2 and built.parts[k].copy == 1:
             message = f"{name or 'the piece'} is stuffed, and its end of {rim} stitches stays open"
             hint = "decrease and fasten off, or say where it is sewn on"

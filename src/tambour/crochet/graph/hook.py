@@ -329,7 +329,7 @@ class Hook:
     def used_up(self) -> HookError:
         """The error of an edge without anchors."""
         return self.fail(
-            "there is no stitch left to work into", "the edge is used up: begin with MR, or go back with goto"
+            "there is no stitch left to work into", "begin with a ring or a chain, or say which round this is worked on"
         )
 
     def knot(self, path: list[int]) -> None:
@@ -385,7 +385,8 @@ class Hook:
         self.need_start()
         if self.now.count == 0:
             raise self.fail(
-                f"there is no edge to {word}", "the work was fastened off: begin with MR, or go back with goto"
+                f"there is no edge to {word}",
+                "the work was fastened off: begin with a ring or a chain, or say which round this is worked on",
             )
 
     def mark(self, label: str) -> None:

@@ -23,9 +23,21 @@ from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.gloss import english
 from tambour.crochet.words.phrases import Phrases
 
-_EYES: Final = re.compile(
-    r"\d+(?:[.,]\d+)?\s*-?mm(?:(?!\d\s*-?mm)[^.;\n]){0,25}\beyes?\b|\beyes?\b[^.;\n]{0,12}\d+\s*mm", re.IGNORECASE
+_EYE: Final = r"\b(?:eyes?|\w*augen|yeux|\w*ojos|ojitos|\w*ogen|\w*oogjes)\b"
+_NO_EYE: Final = r"(?:(?!hook|nadel|crochet|ganchillo|aguja|naald|yarn)[^.;\n\d]){0,24}"
+_EYES: Final = (
+    re.compile(rf"\d+(?:[.,]\d+)?\s*-?\s?mm\b[^.,;\n\d]{{0,25}}{_EYE}", re.IGNORECASE),
+    re.compile(rf"{_EYE}{_NO_EYE}\d+(?:[.,]\d+)?\s*-?mm\b", re.IGNORECASE),
+    re.compile(rf"\d+(?:[.,]\d+)?\s*-?mm(?:(?!\d\s*-?mm)[^.;\n]){{0,25}}{_EYE}", re.IGNORECASE),
 )
+"""How big eyes are, as lists of materials say it, what tells it best first: "8 mm safety eyes", "Yeux de sécurité 8 mm", "8 mm, eyes"."""
+
+
+def eyes_listed(text: str) -> str:
+    """The words of a text, or of a line, that say how big its eyes are; "" where none do."""
+    return next((found[0] for one in _EYES if (found := one.search(text)) is not None), "")
+
+
 _POSE: Final = re.compile(
     r"[.!]?[ \t]+(?P<how>(?:they|it|these|both|each(?: one)?)\s+(?:should\s+|must\s+|will\s+)?(?:point|face|lean|hang|stand|stick)\w*\b[^.!?\n]*)",
     re.IGNORECASE,
@@ -144,11 +156,7 @@ def _assembly(built: Built, sentences: list[Sentence], names: list[str]) -> Asse
     stated = built.pattern.stated
     swatch = swatch_of(stated["gauge"][0]) if "gauge" in stated else None
     width = swatch[0] if swatch is not None else _STITCH
-    listed = (
-        stated["eyes"][0]
-        if "eyes" in stated
-        else (found[0] if (found := _EYES.search(built.pattern.text.text)) else "")
-    )
+    listed = stated["eyes"][0] if "eyes" in stated else eyes_listed(built.pattern.text.text)
     eyes = size(listed.lower())
     return Assembly(built, sentences, width, eyes, names)
 

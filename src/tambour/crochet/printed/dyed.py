@@ -15,7 +15,10 @@ from tambour.crochet.printed.state import State
 def yarns_told(p: State, pattern: Pattern) -> None:
     """Yarns of the list that are meant by another name, and those that nothing is made with."""
     for said, name in p.palette.meant.items():
-        p.source.doubt(f'{MEANT}: "{said}" is {name}', "call it the same in both", Span(0, 0))
+        begin = min((draft.span.start for draft in p.parts), default=0)
+        place = re.compile(rf"\b{re.escape(said)}\b", re.IGNORECASE).search(p.source.text.text, begin)
+        span = Span(*place.span()) if place is not None else Span(0, 0)
+        p.source.doubt(f'{MEANT}: "{said}" is {name}', "call it the same in both", span)
     lines = [
         one
         for part in pattern.parts

@@ -35,7 +35,7 @@ def _parted(tokens: list[Token]) -> list[list[Token]]:
     depth = 0
     for token in tokens:
         depth += (token.word in ("(", "[")) - (token.word in (")", "]"))
-        if depth <= 0 and token.word in _PARTS:
+        if depth <= 0 and (token.word in _PARTS or (token.word == "/" and not token.glued and len(made[-1]) > 2)):
             made.append([])
         else:
             made[-1].append(token)
@@ -44,6 +44,9 @@ def _parted(tokens: list[Token]) -> list[list[Token]]:
 
 def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
     """Teaches one word: "sb - single crochet"; none that means as much already, and no letter of a yarn."""
+    if (turned := _behind(tokens, vocabulary)) is not None:
+        vocabulary.mean(*turned)
+        return
     at = 2 if len(tokens) > 3 and tokens[1].word == "." and tokens[1].glued else 1
     if len(tokens) < at + 2 or tokens[at].word not in _SIGNS or (tokens[at].glued and tokens[at + 1].glued):
         return
@@ -63,6 +66,12 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
         vocabulary.define(name.word, ("inc" if shaped["into"] else "dec") + ("" if many == "2" else many))
         return
     said = vocabulary.read(tokens[at + 1 : end]) if 0 < end - at - 1 <= _MOST else []
+    if (
+        len(said) > 1
+        and said[-1].value in _LOOPS
+        and not any(t.kind in ("stitch", "number", "mark") for t in said[:-1])
+    ):
+        said = said[-1:]  # "tbl: through the back loop"
     if len(said) != 1 or said[0].word == name.word:
         return
     meant = said[0]
@@ -75,3 +84,21 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
         vocabulary.define(name.word, meant.value)
     elif meant.kind == "key" and meant.value in _KEYS and not (known and known[0].kind == "key"):
         vocabulary.mean(name.word, meant.value)
+
+
+def _behind(tokens: list[Token], vocabulary: Vocabulary) -> tuple[str, str] | None:
+    """The short word that stands behind what it means, a loop of a stitch: "back loop: BKL", "brins arrière : BAR"; and that meaning."""
+    sign = next((k for k in range(1, len(tokens)) if tokens[k].word in _SIGNS), 0)
+    if not sign or len(tokens) != sign + 2:
+        return None
+    short = tokens[sign + 1]
+    if short.kind != "word" or not 1 < len(short.word) <= _SHORT or not short.word.isalpha() or not short.capital:
+        return None
+    said = vocabulary.read(tokens[:sign])
+    known = vocabulary.read([short])
+    if len(said) != 1 or said[0].kind != "key" or said[0].value not in _LOOPS or (known and known[0].kind != "word"):
+        return None
+    return short.word, said[0].value
+
+
+_LOOPS: Final = ("back loops", "front loops")

@@ -16,7 +16,7 @@ from tambour.crochet.places.onward import joined, worked_on
 from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed import pairs
 from tambour.crochet.printed.accounted import beside, headed
-from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
+from tambour.crochet.printed.assembly import UNPLACED, assembled, eyes_listed, told, with_places
 from tambour.crochet.printed.bases import UNKNOWN
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.crocheted import hang
@@ -116,7 +116,10 @@ class Printed(Headed):
             pattern, built = mended(pattern, found)
             if built is not None:
                 pattern, built = agreed(pattern, built, self.sound, self._not_read(), found)
-            for problem in found.unread:
+            last = {
+                problem.span: problem for problem in found.unread
+            }  # of a round that is mended twice, what became of it
+            for problem in [one for one in found.unread if one is last[one.span]]:
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
             for problem in found.doubts:
                 source.doubt(problem.message, problem.hint, problem.span or Span(0, 0))
@@ -173,7 +176,7 @@ class Printed(Headed):
             source.doubt(UNPLACED, hint, span)
         if found.guessed:
             hint = "say the rounds, and how many stitches apart, to have them elsewhere"
-            source.doubt(f"{GUESSED}: {told(found)}", hint, Span(0, 0))
+            source.doubt(f"{GUESSED}: {told(found)}", hint, self._named(found.guessed[0]))
         if found.apart:
             hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
             source.doubt(f"{ASIDE}: {', '.join(found.apart)}", hint, Span(0, 0))
@@ -191,6 +194,14 @@ class Printed(Headed):
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
             source.finish += [] if wrong else [record]
         return with_places(pattern, found)
+
+    def _named(self, guessed: str) -> Span:
+        """Where the text speaks of what was guessed first: the heading of that part, or the list's eyes."""
+        name = guessed.partition(" on ")[0].partition(", ")[0]
+        if listed := eyes_listed(self.source.text.text) if name == "eyes" else "":
+            at = self.source.text.text.index(listed)
+            return Span(at, at + len(listed))
+        return next((draft.span for draft in self.parts if draft.name == name), Span(0, 0))
 
     # -- lines ------------------------------------------------------------------------------------------------------
 

@@ -9,7 +9,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
-from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.assembly import Said, eyes_listed
 from tambour.crochet.printed.beyond import tallied
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.copied import copies_of
@@ -149,6 +149,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     found = (
         copied(p, row, line) or heading(text, row, bare(p, tokens)) or heading(text, row, tokens) or small(p, row, line)
     )
+    if p.mode == "materials" and found is not None and eyes_listed(line):
+        p.passed.append(whole)  # "Safety eyes, 8 mm (2)" heads no part
+        return
     lefts: list[list[Token]] = []
     shown = found is not None and found.strong and _SHOWN.search(line) is not None
     if (found is None or not (found.marked or shown)) and sentences(p, tokens, lefts):

@@ -125,6 +125,12 @@ _CLOSED: Final = frozenset("écoulées écoulés rabattues fermées prises croch
 _TOGETHER: Final = frozenset(("ens", "ensemble"))
 
 
+_LOOPED: Final = frozenset(
+    word.lower() for key in ("front loops", "back loops") for word in TERMS["fr"].words[key] if " " not in word
+)
+"""Short words for one loop of a stitch."""
+
+
 def _french(tokens: list[Token]) -> list[Token]:
     """French lines with "7e au 13e tour" as "7e à 13e tour", "2 m. s. écoulées ens." and "écouler ens. les 2 premières m." as "2 ms ens"."""
     made: list[Token] = []
@@ -134,7 +140,13 @@ def _french(tokens: list[Token]) -> list[Token]:
         token = tokens[at]
         after = tokens[at + 1] if at + 1 < len(tokens) else None
         numbered = made and made[-1].kind in ("number", "ordinal") and after is not None
-        if token.word == "au" and numbered and after is not None and after.kind in ("number", "ordinal"):
+        if (
+            token.word == "en"
+            and after is not None
+            and (after.word in _LOOPED or (after.word == "brin" or after.word == "brins"))
+        ):
+            made.append(replace(token, word="dans"))  # "24 ms en BAR"
+        elif token.word == "au" and numbered and after is not None and after.kind in ("number", "ordinal"):
             made.append(replace(token, word="à"))
         elif token.word in _CLOSED and after is not None and after.word in _TOGETHER:
             made += [replace(after, start=token.start)] if made and made[-1].word == "." else [after]
