@@ -30,7 +30,11 @@ _SIDES: Final = (
 _AT: Final = re.compile(
     rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
-_EYES: Final = re.compile(r"^\W*(?:the\s+)?(?:safety\s+)?eyes?\s+(?=(?:on|at|between|in|over)\b)", re.IGNORECASE)
+_EYES: Final = re.compile(
+    r"^\W*(?:(?:the|two|2|both|a pair of)\s+)?(?:(?:safety|plastic|toy|black|brown|blue|green|amber|\d+(?:\.\d+)?\s?mm)\s+)*eyes?\s*"
+    r"(?:\([^()]{1,20}\)\s*)?[:–—-]?\s+(?=(?:on|at|between|in|over)\b)",
+    re.IGNORECASE,
+)
 
 _BARE: Final = re.compile(
     rf"{_NUMBERED}(?P<bare>(?:(?:the|both|two|all|four|five|six|eight|and|finally|next|little|small|big|tiny)\s+)*"

@@ -8,6 +8,7 @@ from typing import Final
 
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.notes import MODES
+from tambour.crochet.printed.shades import shade
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 
@@ -25,7 +26,9 @@ def banners(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     made: list[Row] = []
     for row in rows:
         made += (
-            _remarked(text, _unframed(text, _copied(row, vocabulary), vocabulary), vocabulary) if row.tokens else [row]
+            _remarked(text, _unframed(text, _copied(_yarned(text, row), vocabulary), vocabulary), vocabulary)
+            if row.tokens
+            else [row]
         )
     return made
 
@@ -51,6 +54,36 @@ def _copied(row: Row, vocabulary: Vocabulary) -> Row:
     signs = [Token("mark", sign, times.end, times.end, None, sign == ")") for sign in "()"]
     behind = [Token("word", "with", times.end, times.end), *yarn] if yarn else []
     return replace(row, tokens=[*tokens[:at], signs[0], make, many, *behind, signs[1]])
+
+
+def _yarned(text: str, row: Row) -> Row:
+    """A name in capitals with its yarn behind it: ``BODY start w yellow``, ``WINGS white x2``, ``EARS 2x in pale pink``."""
+    tokens = row.tokens
+    at = next((k for k, t in enumerate(tokens) if t.kind != "word" or not text[t.start : t.end].isupper()), 0)
+    if not 0 < at <= _NAME or row.marked or len(tokens) > at + _BEHIND or any(t.word in _CLOSED for t in tokens):
+        return row
+    rest = [t for t in tokens[at:] if t.word not in ("(", ")", ",", "-", ":")]
+    rest = [
+        replace(t, kind="number", value=int(t.word[1:])) if t.word[:1] == "x" and t.word[1:].isdigit() else t
+        for t in rest
+    ]
+    numbers = [t for t in rest if t.kind == "number"]
+    hue = [t for t in rest if t.kind == "word" and t.word not in _LEADS]
+    if not 0 < len(hue) <= _YARN or shade(" ".join(t.word for t in hue)) is None or len(numbers) > 1:
+        return row
+    many = next((t for t in numbers if isinstance(t.value, int)), None)
+    a, b = tokens[at], tokens[-1]
+    made = [Token("word", "make", many.start, many.start), many] if many is not None else []
+    inner = [*made, Token("word", "with", a.start, a.start), *hue]
+    signs = [Token("mark", "(", a.start, a.start), Token("mark", ")", b.end, b.end, None, True)]
+    return replace(row, tokens=[*tokens[:at], signs[0], *inner, signs[1]])
+
+
+_NAME: Final = 3
+_BEHIND: Final = 8
+_LEADS: Final = frozenset(
+    "start starting starts begin beginning w with in using use work worked x make color colour yarn".split()
+)
 
 
 _REMARK: Final = 4  # words of a remark that is none of a heading's own

@@ -167,7 +167,9 @@ def spare(k: int) -> RGB:
     return _SHADES[k % len(_SHADES)]
 
 
-_PARTING: Final = re.compile(r"[(\[,:|/]|[x×]\s?\d|\d\s?[x×]|\s[-–—]\s|[–—]")
+_PARTING: Final = re.compile(
+    r"[(\[,:|/]|[x×]\s?\d|\d\s?[x×]|\s[-–—]\s|[–—]|(?<=[A-Z]{2})\s+(?=[a-z])|(?<=\w)\s+(?=[\u2600-\u27bf\U0001f300-\U0001faff])"
+)
 _ASIDES: Final = re.compile(r"[^()\[\],;:|/–—]+")
 _SAID: Final = re.compile(r"[^\W\d_]+")
 _HEADED: Final = 80  # letters of a line that may be a heading

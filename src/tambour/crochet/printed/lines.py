@@ -14,6 +14,8 @@ from tambour.crochet.printed.tokens import Row, Token
 _COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
 
+_BY_HAND: Final = frozenset(("stuff", "fasten off", "close", "eyes", "marker"))
+"""What hands do between rounds, on a line of its own."""
 _LISTS: Final = ("*", "-", "–", "•", "·", "●", "▪", "+")
 """Signs of the things of a list."""
 
@@ -33,7 +35,9 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
         return False
     first = p.source.text.text[after.tokens[0].start]
     listed = p.mode == "materials" and first.isdigit()  # "3.5 mm hook" is the next thing of a list
-    return (first.islower() or (first.isdigit() and not listed)) and not heads(p.vocabulary.read(after.tokens))
+    return ((first.islower() and not p.small) or (first.isdigit() and not listed)) and not heads(
+        p.vocabulary.read(after.tokens)
+    )
 
 
 _TURNING: Final = 12  # words of a sentence that says how rows turn
@@ -80,6 +84,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return None  # "Rnds 8-20: dc. 12 sts", and "1 dc, ss, fasten off" below it
     if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
         return tokens  # the sentences of a round on lines of their own
+    if any(t.kind == "key" and t.value in _BY_HAND for t in tokens[:3]) and not any(t.kind == "stitch" for t in tokens):
+        return None  # "R13  15X = 15", and "stuff" or "start to stuff here" below it
     plain = p.source.text.text[first.start].islower() or first.kind == "number"
     times = first.value in ("twice", "once") or (
         first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "key" and tokens[1].value == "times"

@@ -29,6 +29,7 @@ from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of, spoken_of
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.numerals import numerals
+from tambour.crochet.printed.pages import pages
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
@@ -44,7 +45,7 @@ from tambour.crochet.printed.told import told
 from tambour.crochet.printed.twofold import once
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wools import learned
-from tambour.crochet.printed.wrapping import unwrapped
+from tambour.crochet.printed.wrapping import small, unwrapped
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
 
@@ -98,6 +99,9 @@ def _long(rows: list[Row]) -> float:
     return 0.6 * width if 0 < width <= _COLUMN else _LONG
 
 
+_WORK: Final = 4  # words and signs behind the head of a round among which it works something
+
+
 class State:
     """What is known of a text so far: its lines, its words, its parts, and what waits for the part that comes next."""
 
@@ -110,6 +114,8 @@ class State:
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
+        if not TERMS[self.language.code].prints(source.text.text):
+            self.rows = pages(source.text.text, self.rows, self.vocabulary)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
             self.rows = echoed(told(ended(plainly(self.rows, self.vocabulary))))
@@ -131,6 +137,7 @@ class State:
         if not TERMS[self.language.code].prints(source.text.text):
             self.rows = titled(self.rows, self.vocabulary)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)
+        self.small = small(source.text.text, self.rows)
         self.rows = unwrapped(source.text.text, self.rows, self._begins_round)
         terms = TERMS[self.language.code]
         ours = terms.prints(source.text.text)
@@ -191,6 +198,10 @@ class State:
         colon = found is not None and any(t.word == ":" for t in said[: found.end])
         if found is not None and found.strong and (colon or (found.parted and (tokens[0].capital or not alone))):
             return True
+        after = said[found.end : found.end + _WORK] if found is not None and found.strong else []
+        headed = bool(after) and tokens[0].capital and said[0].start == tokens[0].start and after[0].word != ","
+        if headed and any(t.kind == "stitch" for t in after):
+            return True  # "R19  FLO (2X, V)*6"
         first = said[0] if said else None
         begun = first is not None and first.capital and first.start == tokens[0].start
         named = ("round", "row", "color")  # "Break | Color 2", "of | Round 3"

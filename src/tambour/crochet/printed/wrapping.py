@@ -19,6 +19,9 @@ _FEW: Final = 0.03  # of the lines of such a text may be wider, in lists
 _FULL: Final = 0.72  # of the column's width, from where a line may have been broken
 _ROOM: Final = 0.9  # of the width: letters differ in theirs
 _ENDED: Final = re.compile(r"[.!?:)\]}”\"*][ \t]*$")
+_OWN: Final = 3  # lines that begin in small letters behind what a mark ended, before that is a writer's habit
+_COUNTED: Final = re.compile(r"\d[ \t]+(?:sts?|stitches|sc|dc|m|maschen|mailles|puntos|steken)[ \t]*$", re.IGNORECASE)
+"""A line that ends with its round's count: "… rep from * to end. 18 sts"."""
 _LESS: Final = 0.8  # where a small letter goes on with what no mark ended
 _POINT: Final = re.compile(r"[ \t]*(?:[•▪●■○✓☐◦]|[A-Za-z][\w ]{0,20} = )")
 _NUMBERED: Final = re.compile(r"[ \t]*\d{1,2}[.)][ \t]+[A-Z]")
@@ -39,6 +42,7 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
         for n, row in zip(lengths, rows, strict=True)
     ]
     whole = _column(lengths, cut)
+    own = small(text, rows)
     made: list[Row] = []
     for at, row in enumerate(rows):
         above = rows[at - 1] if at else row
@@ -51,6 +55,9 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             made.append(row)
             continue
         sure = cut[at - 1] and text[row.start : row.start + 1].islower()
+        if sure and own and not whole:
+            made.append(row)
+            continue
         broken = (
             sure
             or whole
@@ -66,6 +73,18 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
         made[-1] = Row([*last.tokens, *more], last.start, row.end, last.marked)
     return made
+
+
+def small(text: str, rows: list[Row]) -> bool:
+    """Whether a writer begins lines of his own in small letters, as in a chat: "stuff", "switch to black"."""
+    own = on = 0
+    above = Row([], 0, 0)
+    for row in rows:
+        if row.tokens and text[row.start : row.start + 1].islower():
+            ended = not above.tokens or _ENDED.search(text, max(above.start, above.end - 4), above.end)
+            own, on = own + bool(ended), on + (not ended)
+        above = row
+    return own >= _OWN and own > on
 
 
 def _column(lengths: list[int], cut: list[bool]) -> int:
@@ -85,6 +104,8 @@ def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list
     if said.count("|") > 1 and text[above.start : above.end].count("|") > 1:
         return True
     if _POINT.match(said) or begins(row.tokens, not ended) or _TITLE.match(text[above.start : above.end].strip()):
+        return True
+    if said[:1].isupper() and _COUNTED.search(text, above.start, above.end):
         return True
     words = said.split()
     named = _TITLE.match(said) is not None or _COPIES.match(said) is not None

@@ -54,6 +54,16 @@ _SMALL: Final = frozenset(
 )
 """What may stand before the noun that a clause begins with."""
 _MOST: Final = 700
+_MEANT: Final = {
+    "btw": "between",
+    "btwn": "between",
+    "betw": "between",
+    "b/w": "between",
+    "w/": "with ",
+    "w/o": "without ",
+    "abt": "about",
+}
+_CHAT: Final = re.compile(r"(?<![\w/])(?:w/o?(?=\s?\w)|(?:btwn?|betw|b/w|abt)(?=\s))", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -112,8 +122,10 @@ def nouns() -> Mapping[str, str]:
 
 def english(text: str, code: str) -> Glossed:
     """A sentence of the assembly in English; one that is in English, or in a language without a gloss, as it is."""
-    if not TERMS[code].heard.gloss or len(text) > _MOST:
+    if len(text) > _MOST:
         return Glossed(text)
+    if not TERMS[code].heard.gloss:
+        return _spelt(text)
     ordered = _ORDINAL.sub(lambda m: f"{m[1]}\0".ljust(len(m[0])), _SHORT.sub(" ", _LISTED.sub(_blank, text.lower())))
     made: list[str] = []
     places: list[tuple[int, int]] = []
@@ -126,6 +138,23 @@ def english(text: str, code: str) -> Glossed:
             places.append((sum(map(len, made)), word.at))
             made.append(word.text)
     return Glossed("".join(made), tuple(places))
+
+
+def _spelt(text: str) -> Glossed:
+    """A sentence in English with what chats shorten written out: "eyes btw R5 & R6", "sew on w/ black"."""
+    made: list[str] = []
+    places: list[tuple[int, int]] = []
+    at = 0
+    for found in _CHAT.finditer(text):
+        places.append((sum(map(len, made)), at))
+        made.append(text[at : found.start()])
+        places.append((sum(map(len, made)), found.start()))
+        made.append(_MEANT[found[0].lower()])
+        at = found.end()
+    if not at:
+        return Glossed(text)
+    places.append((sum(map(len, made)), at))
+    return Glossed("".join((*made, text[at:])), tuple(places))
 
 
 def _blank(found: re.Match[str]) -> str:
