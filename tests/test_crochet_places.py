@@ -1289,3 +1289,52 @@ def test_how_a_piece_runs_is_no_place(said, words, rounds):
         words,
         rounds,
     )
+
+
+_SPOTTED = [
+    Made("CAP", 1),
+    Made("HEAD", 1),
+    Made("TAIL", 1),
+    Made("BIG SPIKES", 3),
+    Made("SMALL SPIKES", 4),
+    Made("SPOTS", 5),
+]
+
+
+@pytest.mark.parametrize(
+    ("words", "puts"),
+    [
+        ("Sew two small spikes to the head and two to the tail.", "SMALL SPIKES 2 HEAD, SMALL SPIKES 2 TAIL"),
+        (
+            "Sew the spikes in a row: two small ones on the head, the three big ones on the tail and the other two small ones on the cap.",
+            "SMALL SPIKES 2 HEAD, BIG SPIKES 3 TAIL, SMALL SPIKES 2 CAP",
+        ),
+        (
+            "Sew the 5 spots on the cap: one at the very top and four between rounds 6 and 9.",
+            "SPOTS 1 CAP, SPOTS 4 CAP",
+        ),
+        ("Sew the spots on the cap, one at the top and the rest around round 5.", "SPOTS 1 CAP, SPOTS 4 CAP"),
+        ("Spots: press flat, then sew to the cap at round 5.", "SPOTS 5 CAP"),
+        ("The spots are flattened and sewn to the cap at round 5.", "SPOTS 5 CAP"),
+        ("Press the spots flat before sewing them to the cap at round 5.", "SPOTS 5 CAP"),
+        ("Do not cut. Pinch the big spikes and sew to the tail.", "BIG SPIKES 3 TAIL"),
+    ],
+)
+def test_groups_and_what_is_handled_first_are_put_where_they_are_said(words, puts):
+    """Seven spikes in one sentence were all sewn to the head; "Wings: flatten, sew to the sides" put the feet there."""
+    heard = Heard(_SPOTTED, [Sentence(words, Span(0, 0), "TAIL")])
+    assert ", ".join(f"{p.copies[0][0].name} {len(p.copies)} {p.host[0].name}" for p in heard.puts) == puts
+
+
+def test_what_is_done_again_for_another_part_is_sewn_to_the_same_sides():
+    """Legs that are sewn on "in the same way" were put before the body."""
+    parts = [Made("BODY", 1), Made("ARMS", 2), Made("LEGS", 2)]
+    first = Sentence("Sew the arms to the sides of the body at round 18.", Span(0, 0), "BODY")
+    for words in (
+        "Repeat for the legs at round 4.",
+        "Sew the legs to the body at round 4 in the same way.",
+        "Do the same with the legs at round 4.",
+    ):
+        arms, legs = Heard(parts, [first, Sentence(words, Span(0, 0), "BODY")]).puts
+        assert arms.copies[0][0].name == "ARMS" and legs.copies[0][0].name == "LEGS" and legs.host == (parts[0], 1)
+        assert "sides" in legs.where.words and legs.where.rounds == (4.0, 4.0, False)

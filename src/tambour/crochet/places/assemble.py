@@ -23,8 +23,14 @@ from tambour.crochet.places.said import Where
 from tambour.crochet.places.toy import Assembled, versions
 from tambour.crochet.places.wear import clothes
 
-_CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
+_CAPPED: Final = re.compile(
+    r"\b(?:mushroom|toadstool|fungi|fungus|acorn|champignon|\w*pilz|seta|hongo|paddenstoel|gland|eichel|bellota|eikel)s?\b"
+)
 """Toys, by their titles, whose caps are full."""
+_STUFFED: Final = re.compile(
+    r"\bstuff|\bfill (?:it|them|the|with|lightly|firmly)|\b(?:re?m)?bourr(?:ez|er|e)\b|\bgarni(?:r|ssez)\b|\w*stopfen\b|\b(?:be)?füllen\b|\brellen(?:ar|a|e)\b|\b(?:op)?vul(?:len)?\b"
+)
+"""That a part is stuffed, in five languages; what says that it is not is read elsewhere."""
 _TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
 _SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
 """Words of parts of which one is for every size of a toy."""
@@ -203,7 +209,7 @@ class Assembly(Hosts):
             if made is None or part.stuffing is not None or (made == self.main and bears):
                 continue
             end = next((k for k in starts if k > part.span.start), len(text))
-            if re.search(r"\bstuff", text[part.span.start : end]) and not made.worn:
+            if _STUFFED.search(text[part.span.start : end]) and not made.worn:
                 continue
             counts = [
                 r.count for r in self.built.rounds if not r.aside and r.part == self.spots.parts[f"{part.name}.1"]

@@ -23,7 +23,7 @@ ALL: Final = re.compile(
 )
 _STITCHES: Final = re.compile(r"\b(?:sc|hdc|dc|sl st|ch \d+|inc|dec|magic|marker|hook|seam)\b")
 TO: Final = re.compile(
-    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down|(?:either|each) side|both sides)\b"
+    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down|beside|near|alongside|(?:either|each) side|both sides)\b"
 )
 _WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
 """How noses are made that are not called embroidered."""
@@ -45,6 +45,11 @@ UNDER_HEAD: Final = re.compile(
     r"(?:head(?! of)|neck(?:line)?|place (?=where the head))\b"
 )
 """How far below its head something is sewn to a body."""
+AGAIN: Final = re.compile(
+    r"^\W*(?:then\s+|and\s+)*(?:(?:do|work)\s+the\s+same|the\s+same\s+goes|repeat(?:\s+(?:this|that|the\s+same|these steps))?|likewise)\s*,?\s*(?:with|for|on)\s+(?:the\s+|both\s+)*"
+    r"(?P<what>(?:[a-z]+\s+){0,2}?[a-z]+)\b,?\s*(?P<rest>(?:at|on|to|over|between|but|in|along)\b.*)$"
+)
+"""Another part that is sewn on as the one before it: "Do the same with the legs at Rnd 4"."""
 IT: Final = re.compile(
     r"^\W*(?:(?:then|now|next|finally|and)\W+)*(?:sew|attach|pin|place|position|glue|stitch|fasten|put|secure|whipstitch)\s+(?:them|it|these|both|each one)\b"
 )
@@ -70,6 +75,8 @@ def assembling(text: str, names: list[str]) -> bool:
         return True
     if len(low) <= 600 and BLUSH.search(low):
         return True
+    if len(low) <= 600 and AGAIN.match(low) and where(low).rounds is not None and not _STITCHES.search(low):
+        return True
     if len(low) > 600 or not VERB.search(low):
         return False
     if SAFETY_NOSE.search(low):
@@ -91,7 +98,7 @@ def assembling(text: str, names: list[str]) -> bool:
     if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
         return False
     if not re.search(
-        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|cent(?:er|re)|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute)\b",
+        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|cent(?:er|re)|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute|button|joint)\b",
         low,
     ):
         return False

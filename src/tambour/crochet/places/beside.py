@@ -23,6 +23,7 @@ ABOVE: Final = frozenset(("above", "over", "up from"))
 SIDE: Final = frozenset(
     ("beside", "next to", "on either side of", "on both sides of", "at sides of", "at the sides of", "at the side of")
 )
+_NEAR: Final = frozenset(("near", "close to", "alongside", "against"))
 _LEVEL: Final = frozenset(("in line with", "level with", "at the level of"))
 _A_BIT: Final = re.compile(r"\b(?:a bit|a little|slightly)\s+(backwards|forwards|upwards|downwards|outwards|inwards)\b")
 _LEANS: Final = 0.5
@@ -35,7 +36,17 @@ _FACED: Final = ("nose", "snout", "tip of the nose")
 """Ends from which rounds are counted, whatever way they look."""
 _JUST: Final = 0.18
 """Just above a closed base is so much of the rounds up."""
-_LIKE: Final = {"snout": "muzzle", "smile": "mouth", "brim": "hat", "cheek": "cheeks"}
+_ENDS: Final = 0.9
+"""Above this share of its half height a thing stands on a part's end."""
+_LIKE: Final = {
+    "snout": "muzzle",
+    "smile": "mouth",
+    "brim": "hat",
+    "cheek": "cheeks",
+    "stalk": "stem",
+    "flower": "bow",
+    "rosette": "bow",
+}
 
 
 class Beside:
@@ -189,6 +200,9 @@ class Beside:
                 if thing == "ear" and float(host.axis[2]) < _NOSE_FIRST:
                     return middle  # of what looks ahead the foremost there is its nose
                 return host.ahead(middle[0], middle[1])
+            if (relation in SIDE or relation in _NEAR) and len(points) == 1 and _on_end(host, own):
+                out = np.array([sign or 1.0, 0.0, 0.0])  # beside a stem, which stands on the very top
+                return np.asarray(own + (steps or max(half_size, 1.0)) * out)
             if relation in SIDE and sign:
                 return _around(host.box[0], own, sign * (steps or half_size + 0.8))
             if relation in _LEVEL and "top" in at.words:
@@ -204,6 +218,12 @@ class Beside:
             if relation == "in front of":
                 return np.asarray(middle + np.array([0.0, 0.0, 2.0]))
         return None
+
+
+def _on_end(host: Host, point: Array) -> bool:
+    """Whether a point is on the upper or the lower end of a part."""
+    middle, half = host.box
+    return bool(abs(point[1] - middle[1]) > _ENDS * half[1] and abs(point[0] - middle[0]) < 0.2 * half[0])
 
 
 def _around(middle: Array, point: Array, far: float) -> Array:

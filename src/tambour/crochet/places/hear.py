@@ -24,15 +24,16 @@ from tambour.crochet.places.assembling import (
     TO,
     UNDER_HEAD,
 )
+from tambour.crochet.places.groups import ALIKE, BEFORE, BY_IT, HANDLED, again, apart, grouped
 from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
-from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
+from tambour.crochet.places.names import Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, Where, clauses, where
 from tambour.crochet.words.numbers import QUANTITY, quantity
 
 Copy = tuple[Made, int]
-_NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along)\b")
-_MORE: Final = re.compile(rf"(?:\band|,)\s+(?:the\s+|\w+ing\s+|{QUANTITY}\s+)?$")
+_NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along|beside|next to|behind|close to)\b")
+_MORE: Final = re.compile(rf"(?:\band|,)\s+(?:with\s+)?(?:the\s+|\w+ing\s+|{QUANTITY}\s+)?$")
 _COUNTED: Final = re.compile(rf"\b({QUANTITY})\s+(?:(?!of\b)[a-z]+\s+)?$")
 """How many of a part are put there, before its name: "two flowers to the side"."""
 _ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
@@ -44,9 +45,11 @@ _ADJACENT: Final = re.compile(
     r"remaining|rem|same|colou?red|felt|up|foundation|ch|chain|opening|closed|rem|corner|second|white|black|pink)\b)*\W*(?:[a-z'’]+\s+)?$"
 )
 """What may stand between a verb and what is put."""
-_PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—|→-]\s*|^\s*|\beach\s+)$")
+_PASSIVE: Final = re.compile(
+    r"(?:\b(?:is|are|be|being|get|gets|should be)\s+(?:\w+(?:ed|shut|closed)\s+(?:\w+ly\s+|flat\s+)?(?:,\s*)?(?:and\s+)?(?:then\s+)?)?|[:–—|→-]\s*|^\s*|\beach\s+)$"
+)
 _FIRST_DONE: Final = re.compile(
-    r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend|lay|slip|drop)\w*\s+(?:down\s+|up\s+|over\s+|in\s+)?"
+    r"\b(?:stuff|fold|flatten|gather|pin|press|pinch|squash|squeeze|weight|close|shape|bend|lay|slip|drop)\w*\s+(?:down\s+|up\s+|over\s+|in\s+)?"
     r"(?:(?:the\s+)?(?:open\s+|wide\s+|upper\s+|lower\s+|top\s+)?(?:top|bottom|end|edge|tip|base|opening)s?\s+of\s+)?(?:the\s+|each\s+|both\s+|left\s+|right\s+)*$"
 )
 """What is done with a part before it is sewn: "stuff the snout and sew to the head"."""
@@ -80,7 +83,7 @@ _WHEN: Final = re.compile(
 """When something is done, which says no place: "after the head has been sewn to the neck"."""
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
-    r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
+    r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|level with|in line with|"
     r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+)*$"
 )
 """Words before a part that something is only near."""
@@ -186,6 +189,7 @@ class Heard:
             self.exact.append((sentence.exact, order))
             return
         low = sentence.text.lower().replace("\n", " ")
+        low = BEFORE.sub("and sew them", low)
         low = _WHEN.sub(lambda m: " " * len(m[0]), low)
         if ALL.search(low):
             self.everything = True
@@ -194,7 +198,7 @@ class Heard:
             return
         heard, begin = False, 0
         own = [(at, rgb) for at, rgb in sentence.colors if not _OF_PLACE.search(low[:at]) or _YARNED.match(low, at)]
-        low = unlisted(low)
+        low = grouped(unlisted(self._once_more(low)), self.parts)
         for a, b in clauses(low):
             shades = [rgb for at, rgb in own if a <= at < b] or [rgb for _, rgb in own[:1]]
             # What says nothing alone belongs to what follows: "locate the nose 1 rnd below and embroider it".
@@ -204,6 +208,11 @@ class Heard:
             heard, begin = heard or done, b if done else begin
         if not heard:
             self.lost.append(sentence.span)
+
+    def _once_more(self, low: str) -> str:
+        """What is done again for another part, said in full."""
+        last = self.puts[-1] if self.puts else None
+        return low if last is None or last.host is None else again(low, last.host[0].name, "sides" in last.where.words)
 
     def _hair(self, low: str, sentence: Sentence, order: int) -> bool:
         """Whether a sentence says how hair of yarn is made that no part is: along a parting, all over, in bunches."""
@@ -309,10 +318,12 @@ class Heard:
     def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:
         verb = VERB.search(low)
         if not verb or not re.search(
-            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre|seam|applique|goes|go|scatter|arrange|distribute)\b",
+            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre|seam|applique|goes|go|scatter|arrange|distribute|button|joint)\b",
             low,
         ):
             return False
+        if ALIKE.search(low) and self.puts and not at.words & {"sides", "top", "bottom", "front", "back"}:
+            at = replace(at, words=at.words | (self.puts[-1].where.words & {"sides"}))
         to = TO.search(low, self._particle(low, verb, found, sentence))
         # "arms to the sides of the body and legs to its bottom" are two.
         more = [
@@ -321,7 +332,9 @@ class Heard:
         if more:
             joined = _MORE.search(low[: more[0].start])
             assert joined is not None
-            rest = f"sew {low[joined.start() :].removeprefix('and').lstrip(' ,')}"
+            rest = f"sew {low[joined.start() :].removeprefix('and').lstrip(' ,').removeprefix('with ')}"
+            if found[0].start < more[0].start:
+                rest = BY_IT.sub(rf"\1 the {found[0].word}", rest)
             low = low[: more[0].start]
             at, found = where(low), [m for m in found if m.end <= more[0].start]
             done = self._put(low, found, at, sentence, order)
@@ -348,6 +361,9 @@ class Heard:
                 low[verb.start() :]
             )  # "fold down the top of the ear and sew it to the body" says no top of the body
         before = [m for m in found if m.end <= verb.start()]
+        if not objects and before and (led := HANDLED.match(low)) is not None and before[0].end <= led.end():
+            objects, at = before[:1], where(low[verb.start() :])
+            hosts = [m for m in hosts if m is not before[0]]
         if not objects and (laid := [m for m in before if _FIRST_DONE.search(low[: m.start])]):
             # "Fill the pot, lay the soil in and sew it down all around just under the rim (R14)"
             objects, at = laid[-1:], where(low[verb.start() :])
@@ -382,7 +398,7 @@ class Heard:
         word = {p: m.word for m in objects for p, _ in m.copies}
         onto = set(re.findall(r"[a-z]{3,}", low[to.end() :])) if to is not None and host is None else set()
         strange = bool(onto - _NO_PART) and not self._region(low) and not at.beside and at.rounds is None
-        for group in _apart(copies):
+        for group in apart(copies):
             called = one(word[group[0][0]])
             self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, False, called, strange))
         return True
@@ -411,7 +427,8 @@ class Heard:
         ]
         named = IT.match(sentence.text.lower()) is not None
         for line in before[:-_FAR:-1] if named else before[-1:]:
-            found = mentions(line, self.parts) if named or _CLOSED.search(line) else []
+            closed = _CLOSED.search(line) or HANDLED.match(line.lower().lstrip())
+            found = mentions(line.lower(), self.parts) if named or closed else []
             if found:
                 return found[:1] if found[0].copies[0][0].name != sentence.part else []
         return []
@@ -474,16 +491,6 @@ def _each(mention: Mention, copies: list[Copy]) -> Copy:
     part, k = mention.copies[0]
     own = [c for c in copies if c[0] == copies[0][0]]
     return (part, 0) if len(mention.copies) > 1 and len(own) % part.copies == 0 else (part, k)
-
-
-def _apart(copies: list[Copy]) -> list[list[Copy]]:
-    """Copies by what they are: every part for itself, but the left and the right one of a pair together."""
-    groups: dict[str, list[Copy]] = {}
-    for part, k in copies:
-        sided = part.copies == 1 and SIDED & set(part.words)
-        key = " ".join(w for w in part.words if w not in SIDED) if sided else part.name
-        groups.setdefault(key, []).append((part, k))
-    return list(groups.values())
 
 
 def _pieces(low: str, features: list[str]) -> list[str]:

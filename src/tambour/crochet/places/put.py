@@ -157,7 +157,8 @@ class Putter(Jointer):
             put, ways = rows
         else:
             put = replace(put, where=replace(put.where, each=(), stacked=False))
-        told = [self._told(way, put.where, len(put.copies)) for way in ways]
+        lined = put.where.stacked and kind == "spike"  # in a row, which says all of it
+        told = ways if lined else [self._told(way, put.where, len(put.copies)) for way in ways]
         records = self._sewn(put, host, told)
         if not all(self.stand.there(r.spot) for r in records):
             if put.where.rounds is not None and not put.guess:  # one that was not read: where such parts usually are
@@ -332,6 +333,8 @@ class Putter(Jointer):
                 return replace(pole, span=put.span), way
         roughly = put.kind in _ON_TOP and not (put.kind == "neck" and self._lies_name(host))
         pole = host.pole(direction, _ROUGHLY if roughly else 0.9) if len(put.copies) == 1 else None
+        if pole is not None and put.host is not None and put.host[0].kind == "hat" and pole.round > host.high:
+            pole = host.begun or pole  # the top of a cap is where it begins, not its opening
         if pole is not None:
             return replace(pole, span=put.span), way
         if put.kind == "eye" and len(put.copies) == 2 and is_mask(self.work, host):

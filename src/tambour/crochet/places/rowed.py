@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from typing import Final
@@ -21,6 +22,8 @@ _INSECT: Final = re.compile(
 _SET: Final = frozenset(("bow", "spot", "door", "lamp"))
 """Small things of which each has a round of its own where two rounds are said."""
 _APART: Final = re.compile(rf"({QUANTITY}) (?:rounds?|rnds?|rows?) (?:apart|between)")
+_LEANS: Final = 0.5
+"""What leans more than this, as a cosine, lies."""
 _HIGH, _LOW_END = 0.45, -0.45
 """Between these shares of a front stand things one above the other."""
 
@@ -43,6 +46,18 @@ def in_rows(put: Put, host: Host, lies: bool, text: str) -> tuple[Put, list[Way]
             put, where=replace(at, rounds=None if not each else at.rounds, each=each, stacked=True, wide=None)
         )
         return put, [Way((0.0, float(y), 1.0), None) for y in heights]
+    if (
+        put.kind == "spike"
+        and many == 2
+        and at.rounds is None
+        and at.apart is None
+        and not at.words & {"sides", "left", "right"}
+    ):
+        top = "top" in at.words or lies or abs(float(host.axis[1])) < _LEANS
+        angles = (95.0, 125.0) if top else (105.0, 150.0)
+        turns = [math.radians(a) for a in angles]
+        put = replace(put, where=replace(at, each=(), stacked=True))
+        return put, [Way((0.0, math.sin(t), math.cos(t)), None, (0.0, -math.cos(t), math.sin(t)), True) for t in turns]
     legs = put.kind in ("leg", "foot", "fin", "arm") and many >= _LEGGED and many % 2 == 0
     insect = "sides" in at.words or lies or _INSECT.search(text[:200]) is not None
     if legs and (insect or 2 * len(each) == many):

@@ -12,7 +12,7 @@ from tambour.crochet.words.numbers import QUANTITY, quantity
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
+    r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st|(?:(?:thread|button)[- ])?joint(?= (?:the|both|each|on)\b)|button(?= (?:the|both|each|on)\b))\b"
 )
 """Words that put something somewhere."""
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
@@ -58,12 +58,12 @@ _STACKED: Final = re.compile(
     r"|\bin a (?:vertical |straight )?(?:line|row|column) (?:down|up|along)\b|\bvertical(?:ly)?\b|\bin a (?:vertical|column)\b"
 )
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
-_BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door)"
+_BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door|stem|stalk|bun|flower|rosette)"
 _AWAY: Final = re.compile(
     rf"(?:({QUANTITY})\s+(?:{ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
     rf"(below|beneath|under|underneath|down from|above|over|up from|beside|next to|in between|between|in line with|"
     rf"level with|at the level of|on either side of|on both sides of|at (?:the )?sides? of|in front of|behind|back from|"
-    rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
+    rf"against|around|near|close to|alongside)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
 )
 _FROM_END: Final = re.compile(
     rf"(?:({QUANTITY})\s+{ROUND}|{_LENGTH}|\b(?:just|right|directly|immediately|straight))\s+(?:(?:down|up|away|in|counted|measured)\s+)*"

@@ -8,6 +8,7 @@ from typing import Final
 from tambour.crochet.places import face
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.said import VERB, where
+from tambour.crochet.words.numbers import QUANTITY
 
 _NUMBERED: Final = r"^\W*(?:\d{1,2}\s*[.)]\s*)?"
 _ROUND: Final = r"(?:(?:rounds?|rnds?|rds?|rows?|r)\s?\.?\s*\d|\d+(?:st|nd|rd|th)\s+(?:rounds?|rnds?|rds?|rows?))"
@@ -28,8 +29,12 @@ _SIDES: Final = (
     r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
 )
 _AT: Final = re.compile(
-    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|above|along|around|across|centred|centered|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
+    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
+_MANY: Final = re.compile(
+    rf"^\s*(?:the\s+)?{QUANTITY}\s+(?:[a-z]+\s+){{0,2}}?(?:on|at|to|onto|around|over|between|along|down|in the middle)\b(?!\s+(?:each|both|either)).*[,;]|^\s*(?:the\s+)?{QUANTITY}\s.*\band\s+(?:the\s+)?(?:{QUANTITY}|rest|others)\b"
+)
+"""Several of a part, each at a place of its own: "2 small ones on the head, 3 big ones on the back"."""
 _EYES: Final = re.compile(
     r"^\W*(?:(?:the|two|2|both|a pair of)\s+)?(?:(?:safety|plastic|toy|black|brown|blue|green|amber|\d+(?:\.\d+)?\s?mm)\s+)*eyes?\s*"
     r"(?:\([^()]{1,20}\)\s*)?[:–—-]?\s+(?=(?:on|at|between|in|over)\b)",
@@ -99,6 +104,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         return None  # "SNOUT - rose"
     if face.motifs(led["name"]) or words == ["face"]:
         return at, " embroider"
+    if _MANY.match(low[at:]) and not _WORKS.search(low[at:]) and any(w in known or kind_of(w) for w in words):
+        return at, " sew"
     part = any(w in known or kind_of(w) for w in words)
     verb = " sew at" if re.match(rf"\s*(?:{_ROUND}|{_SIDES}\b)", low[at:]) else " sew"
     return (at, verb) if part and _AT.match(low[at:]) else None

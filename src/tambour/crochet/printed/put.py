@@ -58,7 +58,12 @@ _BEFORE: Final = re.compile(r"(?:^|[.!?:)\]*•-]\s+)((?:[^\W\d_]+ )+)$")
 """Words at the end and at the beginning of a sentence that are no tokens, since they work nothing: "The fins … spread evenly"."""
 
 
-_PARTLY: Final = frozenset("last remaining rem rest top end over overstuff weighted pellets too rounds rnds".split())
+_PARTLY: Final = frozenset(
+    (
+        "last remaining rem rest top end over overstuff overstuffing overfill overfilling weighted pellets too rounds rnds "
+        "trop excès überstopfen überfüllen demasiado exceso teveel overvullen"
+    ).split()
+)
 """Words of sentences that say how, or how far, a part is not stuffed."""
 
 
