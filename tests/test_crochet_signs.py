@@ -481,6 +481,60 @@ def test_a_round_is_said_as_anybody_likes(stitches: str) -> None:
         assert not pattern.unread, said
 
 
+_ON = "BALL\nWith white yarn.\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\n{}\nRnd 7: dec x 9 (9)\n"
+_CHAINED = "FOOT\n{}\nRnd 2: sc in each st around (12)\nFasten off.\n"
+_ROWS = "FLAG\nCh 11.\nRow 1: dc in 4th ch from hook and in each ch across, turn (9)\n{}\nFasten off.\n"
+_LEG = "Rnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: sc in each st around (12)\nFasten off.\n"
+_LEGS = f"LEGS (make 2)\n{_LEG}\nBODY\n{{}}\nRnd 2: sc in each st around (30)\n"
+MEANT = {  # a text with a gap, what fills it plainly → other ways to say that
+    "yarn changed behind several rounds": (_ON, "Rnd 4: sc around (18)\nRnd 5: sc around (18)\nRnd 6: sc around (18)\nChange to red.", (
+        "Rnds 4-6: sc in each st around, changing to red in last st of last rnd (18)", "Rnds 4-6: sc around (18). Cut white, attach red.",
+        "Rnds 4-6: sc around; at end of Rnd 6 change to red (18)", "Rnds 4-6: sc around, switching to red on last yo of rnd 6 (18)")),
+    "yarn changed before": (_ON, "Change to red.\nRnd 4: sc around (18)\nRnd 5: sc around (18)\nRnd 6: sc around (18)", (
+        "Cut white, tie on red.\nRnds 4-6: sc around (18)", "From here on use red.\nRnds 4-6: sc around (18)", "Rnds 4-6: sc around (18) - red",
+        "Next 3 rounds in red: sc around (18)", "Work 3 rounds in red (18).")),
+    "yarn changed each round": (_ON, "Change to red.\nRnd 4: sc around (18)\nChange to white.\nRnd 5: sc around (18)\nChange to red.\nRnd 6: sc around (18)", (
+        "Rnds 4-6: sc around (18): red, white, red", "Rnds 4-6: sc around (18). Rnd 4 red, rnd 5 white, rnd 6 red.",
+        "Rnds 4-6: sc around (18), changing colour every round: red, white, red")),
+    "a count that names things": (_ON, "Rnds 4-5: sc around (18)\nRnd 6: bobble in next st, sc in next 17 sts (18)", (
+        "Rnds 4-5: sc around (18)\nRnd 6: bobble (thumb made), sc in next 17 sts—1 thumb and 17 sc.",
+        "Rnds 4-5: sc around (18)\nRnd 6: bobble, 17 sc = 1 bobble + 17 sc", "Rnds 4-5: sc around (18)\nRnd 6: bobble, 17 sc (1 bobble, 17 sc)")),
+    "an oval": (_CHAINED, "Ch 6.\nRnd 1: sc in 2nd ch from hook, sc in next 3 ch, 3 sc in last ch, working along other side of ch, sc in next 3 ch, 2 sc in last ch (12)", (
+        "Ch 6.\nRnd 1: 4 sc from 2nd ch, 3 sc in last ch, rotate, 3 sc, inc (12)", "R1: 6ch, 4sc, 3sc in 1, 3sc, 2sc in 1 (12)",
+        "Ch 6.\nRnd 1: sc 4, 3 sc in the last ch, on the other side of chain sc 3, inc (12)", "Ch 6\nR1: 4sc, 3sc in last ch, flip, 3sc, inc (12)")),
+    "rows on chains that count": (_ROWS, "Row 2: Ch 3 (counts as dc), skip first st, dc in each st across, turn (9)", (
+        "Row 2: ch 3, skip first dc, dc in each dc across and in top of turning ch, turn (9)", "Row 2: ch 3 = first dc, 8 dc, turn (9)",
+        "Row 2: Ch 3 (counts as dc), dc in each dc to end, dc in 3rd ch of turning ch, turn (9)")),
+    "two legs become one": (_LEGS, "Rnd 1: ch 3, 12 sc on first leg, 3 sc on chain, 12 sc on second leg, 3 sc on the other side of chain (30)", (
+        "Ch 3, connect to first leg.\nRnd 1: 12 sc, 3 sc in ch, 12 sc, 3 sc in ch (30)", "Rnd 1: Sc 12 around leg, ch 3, sc 12 around other leg, sc in back of 3 ch (30)",
+        "R1: ch 3, 12sc (1st leg), 3sc (chain), 12sc (2nd leg), 3sc (chain) (30)", "Join legs with ch 3:\nRnd 1: 12 sc on the first leg, 1 sc in each ch, 12 sc on the second leg, 1 sc in each ch (30)")),
+}  # fmt: skip
+
+
+def woven(text: str) -> list[tuple[object, ...]]:
+    """Every stitch of a text: its kind, its yarn, its loop, and what it is worked into; nothing of it is told as unread."""
+    pattern = read(Text(text, "meant.txt"))
+    assert not pattern.unread, text
+    graph = (pattern.built or build(pattern)).graph
+    ends = graph.anchor_offsets
+    return [
+        (
+            graph.kinds[graph.kind[k]],
+            *map(int, graph.color[k]),
+            int(graph.loop[k]),
+            *map(int, graph.anchors[ends[k] : ends[k + 1]]),
+        )
+        for k in range(len(graph))
+    ]
+
+
+@pytest.mark.parametrize("what", MEANT)
+def test_what_is_meant_is_worked_stitch_by_stitch(what: str) -> None:
+    text, plain, ways = MEANT[what]
+    meant = woven(text.format(plain))
+    assert [way for way in ways if woven(text.format(way)) != meant] == []
+
+
 CARD = "BEETLE\n\nSIGNS\nV = 2 in 1 · W = 3 in 1 · A = 2 tog\n\n"
 
 

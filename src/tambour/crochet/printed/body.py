@@ -270,7 +270,7 @@ class Walk(Trade):
             while c.look() is not None and c.look().word in ("loop", "up"):  # type: ignore[union-attr]
                 c.at += 1
             self.joining(found, token)  # "Attach A in first free loop", "draw up a loop of B in same st"
-        elif token.word == "rotate":
+        elif token.word in ("rotate", "flip"):
             chained = any(t.value in ("ch", "foundation", "side") for t in c.tokens[c.at : c.at + 14])
             if chained:
                 self.other_side(found)

@@ -184,7 +184,15 @@ class Courses(Reader):
             self.to_separator()  # "Working in back loops of foundation ch, sc in 2nd ch from hook"
             return
         self.body.sides, self.body.turned = True, len(found)
-        self.to_separator()
+        while (token := self.c.look()) is not None and not self.c.mark(",", ".", ";", ":", "(", "[", "-"):
+            after, before = self.c.look(1), self.c.look(-1)
+            works = token.kind == "stitch" and token.value != "ch" and before is not None
+            works = works and (before.value in ("side", "ch") or before.word in ("chain", "side"))
+            if works or (
+                token.kind == "number" and after is not None and after.kind == "stitch" and after.value != "ch"
+            ):
+                return  # "on the other side of the chain 3 sc"
+            self.c.at += 1
 
     def joining(self, found: list[Item], token: Token) -> None:
         """``join``, ``join with sl st in first sc``, ``join B with sl st``; without stitches before it, yarn that is joined."""

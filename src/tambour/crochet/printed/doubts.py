@@ -16,6 +16,7 @@ from tambour.crochet.printed.asides import penned
 from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.ovals import both_sides
 from tambour.crochet.printed.phrasing import shortened
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, after_all, chainless, fixed, reached, rest_left, worked
@@ -87,7 +88,13 @@ def decided(
         walk.standing, walk.edge, walk.marked = source.standing, edge, source.marked
         walk.lying = lying
         body = walk.read()
-        if body.sides and (base := _base(body, chain)) is not None:
+        base = _base(body, chain)
+        own = next((i.times for i in body.items[:2] if isinstance(i, Action) and i.name == "ch"), 0)
+        long = base or max(chain or 0, own or 0) - 1  # "Ch 6. R1: 4 sc, 3 sc in last ch, 3 sc, inc"
+        if long > 1 and not body.sides and (turned := both_sides(body.items, long, source.stitches)):
+            body.items, body.turned = turned
+            body.sides, base, body.hook = True, long, body.hook or 2
+        if body.sides and base is not None:
             along(body, base, source.stitches)
         if edge and unworked:
             whole = body.stated is not None and after(body.items, edge, source.stitches) == body.stated

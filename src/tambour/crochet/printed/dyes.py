@@ -94,6 +94,16 @@ class Dyes(Courses):
             c.look(shade[1]) is None or c.mark(",", ".", ")", "(", ahead=shade[1])
         )  # "6 sc red"
 
+    def _labels(self, at: int, length: int) -> bool:
+        """Whether the yarn at ``at`` is told of the whole round, behind its count: "sc around (18) - red"."""
+        counted = self.body.stated_span
+        behind = self.c.tokens[at + length :]
+        return (
+            counted is not None
+            and counted.end <= self.c.tokens[at].start
+            and all(t.kind == "mark" or t.value == "yarn" for t in behind)
+        )
+
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
@@ -154,7 +164,8 @@ class Dyes(Courses):
         if after is not None and after.word.startswith("embroider"):
             return False  # "On underside of nose, with D, embroider a smile": no round changes to it
         dyed = Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb)
-        found.insert(last_worked(found) if self._behind() else len(found), dyed)
+        label = at == c.at and self._labels(at, length)
+        found.insert(0 if label else last_worked(found) if self._behind() else len(found), dyed)
         c.at = at + length
         self._other_yarn()
         c.skip_key("yarn")

@@ -13,6 +13,7 @@ from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import base, based, elsewhere, frilled, is_first
 from tambour.crochet.printed.beyond import again_made, another, edged_again, edging, not_drawn
+from tambour.crochet.printed.bridged import over_two
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.crocheted import crocheted_in
@@ -36,7 +37,6 @@ from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.stripes import lay, planned, without
 from tambour.crochet.printed.tokens import Token
-from tambour.crochet.printed.united import united
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 
 _HINTED: Final = 20  # errors that suggestions are looked for
@@ -71,7 +71,7 @@ class Headed(State):
         """The round as its words say, in the stripes that they or a sentence before them plan."""
         worked_in(self, span.start, span.end)
         words = self.source.text.text[span.start : span.end]
-        found = planned(words, self.palette, draft.lines)
+        found = planned(words, self.palette, draft.lines, max(len(head.numbers), head.many))
         if found is not None:
             plan, (begin, end) = found
             place = Span(span.start + begin, span.start + end)
@@ -97,7 +97,7 @@ class Headed(State):
             else None
         )
         self.source.marked = draft.ahead()
-        both = united(
+        both = over_two(
             self, draft, tokens, lambda some, edge: decided(self.source, some, self.palette, edge, self.phrases), span
         )
         if both is None:

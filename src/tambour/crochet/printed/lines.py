@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Final
 
-from tambour.crochet.printed.cursor import OPEN
+from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.opening import founding
 from tambour.crochet.printed.state import State
@@ -68,7 +68,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):
         return tokens
     if first.kind == "mark" and first.word in "([{*=":
-        return tokens
+        hue = p.palette.color(Cursor(tokens), 1) if first.word in "([" else None
+        return None if hue is not None and hue[1] == len(tokens) - 2 else tokens  # "(Red)" heads the next rounds
     stays = [t.value for t in tokens[:2]] == ["not", "turn"]  # "Do not turn. Working into opposite side of ch, …"
     told = tokens[3:] if stays else tokens
     if told and told[0].value in ("in", "around", "over", "side", "turn") and _other_side(told) and not _joined(before):

@@ -4,6 +4,7 @@ in each st", "5dc-bobble", "ch 3 over the next 3 sts", "sc 8, inc (2 times)", "8
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.cursor import OPEN
@@ -15,6 +16,7 @@ _MADE_OF: Final = frozenset(("of", "with", "using", "made", "worked", "from", "c
 _MOST: Final = 12  # stitches of a bump
 _HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
 _PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
+_BUMPS: Final = frozenset("thumb thumbs nose heel toe finger tail ear eye cheek".split())  # what a stitch stands for
 _ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
 _WORK: Final = frozenset(("the", "your", "work", "here", "now", "again", "over"))
 _CLOSING: Final = frozenset(("worked", "for"))
@@ -24,7 +26,7 @@ def plainer(tokens: list[Token]) -> list[Token]:
     """Words as read, without what says nothing more, and in one order."""
     made: list[Token] = []
     at = 0
-    tokens = _listed(tokens)
+    tokens = _summed(_listed(tokens))
     while at < len(tokens):
         token = tokens[at]
         if (end := _turned(tokens, at)) > at:
@@ -99,6 +101,12 @@ def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Toke
             return [], past + (past < len(tokens) and tokens[past].word == ",")
     if token.word == "skipping" and values[2:3] == ["stitch"] and before is not None and before.word == ",":
         return [replace(token, kind="stitch", word="skip", value="skip")], at + 1
+    dashed = stands and values[0] == 1 and len(values) > 3 and isinstance(values[1], int) and values[3] in _TALL
+    if dashed and tokens[at + 2].word == "-":
+        return [], at + 1  # "1 5-dc bobble"
+    reason = token.value == "for" and before is not None and (before.kind == "stitch" or before.value == "stitch")
+    if reason and at + 1 < len(tokens) and tokens[at + 1].word in _BUMPS and last:
+        return [], at + 2  # "bobble in first st for thumb"
     put = token.word == "," and at + 2 < len(tokens) and tokens[at + 1].word in _PUT
     put = put and any(t.value == "eyes" for t in tokens[at + 2 : at + 5])
     if put and any(t.kind == "stitch" for t in made):
@@ -122,6 +130,13 @@ def _chained(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
 
 def _heaped(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
     """``5dc-bobble`` and ``bobble (5 dc)`` as "5 dc bobble"."""
+    one = tokens[at].value == 1 and at + 2 < len(tokens) and tokens[at + 1].kind in ("number", "stitch")
+    if (
+        one
+        and (found := _heaped(tokens, at + 1)) is not None
+        and (tokens[at + 1].kind == "number" or len(found[0]) > 2)
+    ):
+        return found  # "1 5-dc bobble", "1 bobble of 4 dc"
     some = tokens[at : at + 5]
     dashed = len(some) > 3 and some[0].kind == "number" and some[1].value in _TALL and some[2].word == "-"
     if dashed and some[3].kind == "stitch" and some[3].value in _HEAPS:
@@ -158,6 +173,44 @@ def _listed(tokens: list[Token]) -> list[Token]:
         if not all(sorted(t.kind for t in some) == ["number", "stitch"] for some in (before, after)):
             return tokens
     return [replace(t, word=",") if t.word == ";" else t for t in tokens]
+
+
+def _summed(tokens: list[Token]) -> list[Token]:
+    """A count that names things first, ``- 1 thumb and 8 sc``, with its stitches first, and one that tells the round over, ``8 sc = 1 bobble + 8 sc``,
+    ``bobble, 8 sc (1 bobble, 8 sc)``, as their sum."""
+    end = len(tokens) - (bool(tokens) and tokens[-1].word == ".")
+    closed = end > 0 and tokens[end - 1].word in (")", "]")
+    signs = ("(", "[") if closed else ("-", "=")
+    at = next((k for k in range(end - 2, 1, -1) if tokens[k].word in signs), 0)
+    entries: list[list[Token]] = [[]]
+    for token in tokens[at + 1 : end - closed] if at else []:
+        if token.word in (",", "+", "&") or token.value == "and":
+            entries.append([])
+        else:
+            entries[-1].append(token)
+    named = all(len(e) in (2, 3) and e[0].kind == "number" and isinstance(e[0].value, int) for e in entries)
+    if len(entries) < 2 or not named or any(t.kind not in ("stitch", "word") for e in entries for t in e[1:2]):
+        return tokens
+    stitches = [e for e in entries if e[1].kind == "stitch"]
+    if len(stitches) == len(entries):
+        told = [(t.value, u.value) for t, u in pairwise([*tokens[:at], tokens[at]]) if t.kind == "number"]
+        told += [(u.value, t.value) for t, u in pairwise(tokens[:at]) if t.kind == "stitch" and u.kind == "number"]
+        plain = [
+            (1, t.value)
+            for k, t in enumerate(tokens[:at])
+            if t.kind == "stitch" and not (k and tokens[k - 1].kind == "number")
+        ]
+        same = all((e[0].value, e[1].value) in (*told, *plain) for e in entries)
+        if not same or (not closed and "+" not in {t.word for t in tokens[at:end]}):
+            return tokens
+        total = sum(e[0].value for e in entries)
+        number = Token("number", str(total), tokens[at + 1].start, tokens[end - 1 - closed].end, total)
+        return [*tokens[: at + 1], number, *tokens[end - closed :]]
+    if closed or not stitches or entries[0][1].kind == "stitch":
+        return tokens
+    ordered = [*stitches, *(e for e in entries if e[1].kind != "stitch")]
+    listed = [t for k, e in enumerate(ordered) for t in ([_key(e[0], "and")] if k else []) + e]
+    return [*tokens[: at + 1], *listed, *tokens[end:]]
 
 
 def _often(tokens: list[Token]) -> list[Token]:

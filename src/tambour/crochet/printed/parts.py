@@ -28,7 +28,7 @@ from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.motifs import net
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
-from tambour.crochet.printed.redyed import colored
+from tambour.crochet.printed.redyed import colored, handed_on
 from tambour.crochet.printed.risen import begun, closes, facing, lifted_last, words_of
 from tambour.crochet.printed.slips import joined_last, lowered
 from tambour.crochet.printed.tokens import Token
@@ -249,6 +249,7 @@ class Draft:
             message = f"round {body.below[0]} is named here, and this is worked into round {self.last}"
             source.doubt(message, f"join the yarn there first: join with sl st to Rnd {body.below[0]}", body.below[1])
         at = head.span if head is not None and numbers else said[1] if said is not None else None
+        items, next_hue = handed_on(items) if times > 1 or len(numbers) > 1 else (items, None)
         bare = lifted_last(items, self.edge, body.stated, source.stitches, times) if head is not None else None
         if bare is not None and not closes(bare[-1]):
             items, notes = bare, (*notes, words_of(items[-1]))  # it is printed, and makes no stitch
@@ -262,7 +263,10 @@ class Draft:
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
-        made = colored(joined_last(made, self.lines) if self.off is not None else made, body.later)
+        made = colored(
+            joined_last(made, self.lines) if self.off is not None else made,
+            [*body.later, *([(next_hue, 0)] if next_hue is not None else [])],
+        )
         self.lines += made
         self.spread |= {span.start} if body.spread else set()
         if worked:

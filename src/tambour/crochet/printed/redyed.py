@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Group, Item, Line
-from tambour.crochet.printed.items import span_of
+from tambour.crochet.printed.items import span_of, works
 
 
 def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
@@ -29,6 +29,13 @@ def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
         more = replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)
         lines = [*lines[:at], first, dyed, more, *lines[at + 1 :]]
     return lines
+
+
+def handed_on(items: list[Item]) -> tuple[list[Item], Item | None]:
+    """``items`` of several rounds without the colour that stands behind their stitches, and that colour: the last of these rounds ends with it."""
+    last = next((k for k in range(len(items) - 1, -1, -1) if works(items[k])), len(items))
+    hues = [i for i in items[last + 1 :] if isinstance(i, Action) and i.name == "color"]
+    return ([i for i in items if i not in hues], hues[-1]) if hues else (items, None)
 
 
 def dressed(lines: tuple[Line, ...], every: list[Line], anew: bool) -> tuple[Line, ...]:

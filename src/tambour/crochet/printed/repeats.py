@@ -87,7 +87,10 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
         said = held[-1:] if held and held[-1].kind != "number" else held[:1]  # "6 sc (red)", "sc 6 (red)"
         behind = any(t.kind == "stitch" or t.value in ("stitch", "around") for t in said) and len(inner) == 1
         behind = behind and not any(t.value in ("color", "to") for t in words)  # "(change to red)"
-        at = last_worked(found) if behind else len(found)
+        led_so = outer[r.begun].word in OPEN and c.kind("number") + c.kind("stitch") > 0  # "[white] sc 9 [red] sc 9"
+        label = len(inner) == 1 and not any(t.value in ("color", "to") for t in words) and c.look() is None
+        label = label and r.body.stated_span is not None and not r.depth  # "sc around (18) [red]"
+        at = 0 if label else last_worked(found) if behind and not led_so else len(found)
         found[at:at] = inner
     elif inner and place is not None:
         r.before = None

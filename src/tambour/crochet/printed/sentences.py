@@ -23,6 +23,7 @@ from tambour.crochet.printed.beyond import (
     repeats_for,
     twin_made,
 )
+from tambour.crochet.printed.bridged import bridging
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention, turned_always
 from tambour.crochet.printed.counts import makes
@@ -134,7 +135,7 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         p.passed.append(Span(tokens[0].start, tokens[-1].end))
         return True
     tokens = turned(tokens, TERMS[p.language.code].heard.said.get("through", ()))
-    if laid(p, tokens):
+    if laid(p, tokens) or bridging(p, tokens):
         return True
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end

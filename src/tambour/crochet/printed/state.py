@@ -27,12 +27,14 @@ from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.legend import explained
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of, spoken_of
+from tambour.crochet.printed.newyarn import respun
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.numerals import numerals
 from tambour.crochet.printed.pages import pages
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
+from tambour.crochet.printed.risings import counting
 from tambour.crochet.printed.runs import listed, parted
 from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.shorthand import numbered, signs
@@ -118,7 +120,7 @@ class State:
             self.rows = pages(source.text.text, self.rows, self.vocabulary)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
-            self.rows = echoed(told(ended(plainly(self.rows, self.vocabulary))))
+            self.rows = echoed(told(counting(respun(ended(plainly(self.rows, self.vocabulary))))))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
@@ -169,6 +171,7 @@ class State:
         self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known
         self.sound: set[int] = set()  # where rounds begin whose words make their counts
         self.ended: list[str] = []  # asterisks that end the round under way
+        self.bridge: tuple[int, Span, list[Token]] | None = None  # chains between two pieces, said before their round
         self.starred = ""  # asterisks that stand before what comes next
         self.moved: Moved | None = None  # where yarn was joined that the next round begins with
         self.runs: list[tuple[RGB, int]] | None = None  # of stripes that a list forms, while it is read

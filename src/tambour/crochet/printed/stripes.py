@@ -66,11 +66,43 @@ class Plan:
         return self.runs[-1][0]
 
 
-def planned(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, tuple[int, int]] | None:
-    """The plan that ``words`` say, and from which letter to which they say it; None where they say none.
+_LEADS: Final = re.compile(
+    r"(?:,?\s*(?:(?:chang|alternat|switch)\w*\s+colou?rs?\s+(?:every|each)\s+(?:round|rnd|row)|in\s+(?:this|the\s+following)\s+order|(?:in\s+)?(?:the\s+)?colou?rs|in\s+stripes?))?\s*[:(,.;–—-]*\s*$"
+)
+_COUNTED: Final = re.compile(r"\s*[(\[]\d+[^()\[\]]{0,20}[)\]]\s*\.?\s*$")
+_PART: Final = re.compile(
+    rf"(?:(?:{_UNIT}|[Rr])\s*(?P<a>\d+)(?:\s*[-–]\s*(?P<b>\d+))?|(?P<n>\d{{1,2}}|one|two|three|four|five|six)(?:\s+{_UNIT})?)?\s*[:=]?\s*(?:in\s+|of\s+)?(?P<hue>[a-z]+(?:\s[a-z]+)?)",
+    re.IGNORECASE,
+)
+
+
+def _ordered(words: str, palette: Palette, many: int) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan of a round of several that ends with their yarns, one after the other: "Rnds 4-6: sc around (18): red, white, red"."""
+    ends = len(_COUNTED.sub("", words).rstrip(" .)\n"))
+    last = max(words.rfind(sign, 0, ends) for sign in ":(.;") + 1
+    for begin in (last, words.find(",", words.find(":") + 1, ends) + 1):
+        runs = []
+        for said in re.split(r"\s*(?:,|/|\band\b|\bthen\b)\s*", words[begin:ends].strip() if begin else ""):
+            found = _PART.fullmatch(said)
+            hue = _hue(found["hue"], palette) if found is not None else None
+            if found is None or hue is None:
+                break
+            runs.append((hue, int(found["b"]) - int(found["a"]) + 1 if found["b"] else _number(found["n"]) or 1))
+        else:
+            if len(runs) > 1 and sum(n for _, n in runs) == many:
+                lead = _LEADS.search(words[:begin])
+                start = lead.start() if lead is not None else begin
+                return Plan(tuple(runs)), (start, ends + ("(" in words[start:begin] and words[ends : ends + 1] == ")"))
+    return None
+
+
+def planned(words: str, palette: Palette, worked: list[Line], many: int = 1) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan that ``words`` of so many rounds say, and from which letter to which they say it; None where they say none.
 
     worked : the rounds of the part so far, whose yarns "changing colour every row" goes on with
     """
+    if many > 1 and (ordered := _ordered(words, palette, many)) is not None:
+        return ordered
     if not _HINT.search(words):
         return None
     if (found := _CHANGED.search(words)) is not None and (runs := _changed(found, palette, worked)):

@@ -7,7 +7,7 @@ from typing import Final
 from tambour.crochet.printed.tokens import Token
 
 _LEADS: Final = frozenset(
-    "turn rotate flip spin continue continuing carry carrying go going move moving work working keep now then on along down around round up the "
+    "turn rotate flip spin crochet hook start continue continuing carry carrying go going move moving work working keep now then on along down around round up the "
     "return returning your and to so that you can back piece it other again yarn over into in not do without turning rotating in-the-round 180 degrees clockwise".split()
 )  # fmt: skip
 _SIDES: Final = frozenset(
@@ -179,10 +179,14 @@ def _other(tokens: list[Token], at: int) -> int:
             "spin",
             "back",
             "return",
+            "crochet",
         )
         for t in tokens[at:end]
         for w in t.word.split(" ")
     )
     led = tokens[at].word in ("down", "up")  # "down the other side"
     plain = not led and end - at <= 2 and any(t.value == "side" for t in tokens[at:end])
+    moves = moves or any(
+        t.value == "side" and "chain" in t.word for t in tokens[at:end]
+    )  # "in the remaining loops on opposite side of chain"
     return end if side and chain and (moves or led) and not plain else at

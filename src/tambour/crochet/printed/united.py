@@ -48,12 +48,12 @@ def united(
     if here.edge is None or other.edge is None:
         return None
     found = _runs(tokens, noun, lambda rank: _which(rank, here, other))
-    body = _round(p, draft, (here, other, noun), found, read, span) if found is not None else None
-    if body is None and (usual := _usual(tokens, here.edge, other.edge)) is not None:
-        body = _round(p, draft, (here, other, noun), usual, read, span)
+    body = round_over(p, draft, (here, other, noun), found, read, span) if found is not None else None
+    if body is None and (plain := _usual(tokens, here.edge, other.edge)) is not None:
+        body = round_over(p, draft, (here, other, noun), plain, read, span)
         if body is not None:
             body.stated, body.stated_span, body.fit = body.edge, span, 2
-            around = f"around one, {usual[1]} along the chain, around the other and {usual[1]} along the chain again"
+            around = f"around one, {plain[1]} along the chain, around the other and {plain[1]} along the chain again"
             p.source.doubt(
                 f"how the two are joined is not understood word by word; {around} makes its count, {body.edge}, and is taken",
                 "say what is worked around each: ch 3, 12 sc around the first leg, 3 sc along the chain, …",
@@ -63,8 +63,8 @@ def united(
 
 
 def _usual(tokens: list[Token], here: int, other: int) -> tuple[list[Run], int] | None:
-    """The usual round over two pieces, where the words chain as many as its count asks for: around one, along the chain, around the other, and
-    along the chain again; None where these do not make the count that ends the words."""
+    """The usual round over two pieces, where the words chain as many as its count asks for; None where these do not make the count that ends
+    the words."""
     numbers = [t.value for t in tokens if t.kind == "number" and isinstance(t.value, int)]
     chained = [
         b.value if a.value == "ch" else a.value
@@ -74,7 +74,11 @@ def _usual(tokens: list[Token], here: int, other: int) -> tuple[list[Run], int] 
     chain = chained[0] if chained else 0
     if not numbers or not 0 < chain <= _MOST or numbers[-1] != here + other + 2 * chain:
         return None
-    place = tokens[0]
+    return usual(tokens[0], here, other, chain)
+
+
+def usual(place: Token, here: int, other: int, chain: int) -> tuple[list[Run], int]:
+    """The usual round over two pieces: around one, along the chain, around the other, and along the chain again."""
 
     def run(piece: int, many: int) -> Run:
         sc = Token("stitch", "sc", place.start, place.start, "sc")
@@ -84,7 +88,7 @@ def _usual(tokens: list[Token], here: int, other: int) -> tuple[list[Run], int] 
     return [run(1, other), run(2, chain), run(0, here), run(2, chain)], chain
 
 
-def _round(
+def round_over(
     p: State,
     draft: Draft,
     twins: tuple[Draft, Draft, str],
@@ -110,8 +114,10 @@ def _round(
             return None
         left[run.piece] = left[run.piece] - done[1] if run.piece < 2 else chain
         bodies.append((run.piece, body, done[0]))
-    if left[0] or left[1]:
-        return None
+    said = next((b.stated for _, b, _ in reversed(bodies) if b.stated is not None), None)
+    fits = said is None or said == sum(many for _, _, many in bodies) or said != here.edge + other.edge + 2 * chain
+    if left[0] or left[1] or not fits:
+        return None  # the usual way around makes the count, and these words do not
     items = _items(p, bodies, chain, noun, span)
     if items is None:
         return None
@@ -357,6 +363,7 @@ def _label(p: State, noun: str, rank: int) -> str:
 
 def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span: Span) -> None:
     """Puts the rounds of the other piece before those of ``draft``, which hold both from now on."""
+    label = _label(p, noun, 1)  # before either of them counts as taken in
     lines = [replace(one, number=None) for line in other.lines for one in line.rounds()] if other is not here else []
     own = [one for line in here.lines for one in line.rounds()]
     lines = lines or [replace(one, number=None) for one in own]
@@ -366,7 +373,7 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
         here.merged = True
     else:
         draft.lines = own
-    mark = Line((Action("mark", span, labels=(_label(p, noun, 1),)),), span, False)
+    mark = Line((Action("mark", span, labels=(label,)),), span, False)
     draft.lines = [*lines, mark, *draft.lines]
     draft.marks = []
     if other is not here:
