@@ -186,8 +186,8 @@ class Courses(Reader):
         self.body.sides, self.body.turned = True, len(found)
         while (token := self.c.look()) is not None and not self.c.mark(",", ".", ";", ":", "(", "[", "-"):
             after, before = self.c.look(1), self.c.look(-1)
-            works = token.kind == "stitch" and token.value != "ch" and before is not None
-            works = works and (before.value in ("side", "ch") or before.word in ("chain", "side"))
+            behind = before is not None and (before.value in ("side", "ch") or before.word in ("chain", "side"))
+            works = token.kind == "stitch" and token.value != "ch" and behind
             if works or (
                 token.kind == "number" and after is not None and after.kind == "stitch" and after.value != "ch"
             ):
