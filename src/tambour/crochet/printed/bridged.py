@@ -17,6 +17,7 @@ from tambour.crochet.printed.unread import NOT_UNDERSTOOD
 
 _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
+_LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
 
@@ -28,6 +29,10 @@ def bridging(p: State, tokens: list[Token]) -> bool:
     plain = all(t.value in _PLAIN for t in tokens if t.kind == "stitch")
     if len(set(many)) != 1 or not plain or any(n not in (1, 2, many[0]) for n in numbers):
         return False
+    links = any(t.value == "join" or t.word in _LINKS for t in tokens)
+    founds = any(t.value in ("ring", "hook", "begin") and t.kind == "key" for t in tokens)
+    if not links or founds:
+        return False  # "Beginning at top of leg with F, ch 2"
     draft = p.parts[-1] if p.parts else None
     if draft is None or _pair(p, draft, tokens) is None:
         return False
