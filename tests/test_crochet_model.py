@@ -44,6 +44,7 @@ from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, roundness, tried
 from tambour.crochet.model.named import names
+from tambour.crochet.model.painted import painted
 from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
 from tambour.crochet.model.readable import cost, easy, followable, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
@@ -345,6 +346,26 @@ def test_small_bumps_of_a_face_are_taken_off_and_the_wart_is_told() -> None:
     assert taken_off(x, faces, None, told)[0] == () and "4 bumps" in told[0]
     shade = np.where((np.sqrt((x**2).sum(1)) > 8.2)[:, None], [10, 10, 10], [200, 90, 60]).astype(np.uint8)
     assert (uncoloured(x, shade, found)[x[:, 2] > 0.0] == [200, 90, 60]).all()
+
+
+@pytest.mark.parametrize("skin", [(240, 230, 220), (150, 170, 90), (120, 120, 125)])
+def test_spots_of_colour_on_a_face_are_its_eyes_and_nose_and_a_plain_model_has_none(skin: tuple[int, int, int]) -> None:
+    x, faces, _ = bodies(Mesh(*globe(8.0, 40)), [])[0]
+    shade = np.tile(np.array(skin, np.uint8), (len(x), 1))
+    plane = mirror(x, faces)
+    assert painted(x, faces, shade, plane) == ()
+    for way, wide, hue in (((3, 3, 7), 1.0, (10, 10, 12)), ((-3, 3, 7), 1.0, (10, 10, 12)), ((0, -1, 8), 1.3, (60, 30, 30)), ((0, 8, 2), 1.0, (5, 5, 5)),
+                           ((0, -8, 0), 3.5, (5, 5, 5))):  # fmt: skip
+        middle = 8.0 * np.array(way) / np.sqrt((np.array(way) ** 2).sum())
+        shade[((x - middle) ** 2).sum(1) < wide**2] = hue
+    found = painted(x, faces, shade, plane)
+    assert [np.sign(np.round(one.at[0])) for one in found] == [1.0, -1.0, 0.0] and all(
+        1.5 < one.wide < 3.2 for one in found
+    )
+    assert (
+        found[2].at[1] < found[0].at[1] and (uncoloured(x, shade, found)[(x[:, 2] > 4) & (x[:, 1] < 6)] == skin).all()
+    )
+    assert painted(x, faces, shade, None) == ()
 
 
 @pytest.mark.slow

@@ -178,10 +178,12 @@ def faces_of(
     fine: bool,
     color: tuple[Array, Array] | None,
     tell: list[str],
+    what: tuple[str, str] = ("a bump too small to be worked", "two bumps too small to be worked"),
 ) -> list[str]:
     """The lines that make eyes and a nose of the bumps of a face, the two eyes first.
 
     pieces : with the places of their copies; stitch : mm; fine : places as near as can be; color : the model's vertices (V, 3) and their colours (V, 3), if it has any
+    what : one of them, and two, as they are told
     """
     if not bumps:
         return []
@@ -218,7 +220,7 @@ def faces_of(
         for one in bumps[:2]:
             name, r, s = spot(one.at, on)
             made.append(f"eye({name}, round={r:g}, stitch={s:g}, size={size}, color={shade(bumps[0], BLACK)})")
-        tell.append(f"two bumps too small to be worked are safety eyes of {size} mm")
+        tell.append(f"{what[1]} are safety eyes of {size} mm")
     for one in bumps[2:] if len(bumps) > 1 else bumps:
         ends = []
         for k in range(5):
@@ -228,7 +230,7 @@ def faces_of(
                 ends.append(spot(one.at + np.array([side * reach, high * one.wide, 0.0])))
         places = ", ".join(f"{r:g}:{s:g}" for part, r, s in ends if part == ends[0][0])
         made.append(f"embroider({ends[0][0]}, {places}, color={shade(one, BROWN)}, width=2)")
-        tell.append("a bump too small to be worked is an embroidered nose")
+        tell.append(f"{what[0]} is an embroidered nose")
     return made
 
 

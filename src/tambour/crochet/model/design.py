@@ -25,6 +25,7 @@ from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import STEP, TRIES, Task, Tried, corrected, faithful, looped, missed, tried
 from tambour.crochet.model.named import names
+from tambour.crochet.model.painted import painted
 from tambour.crochet.model.rounds import printed
 from tambour.crochet.model.seating import seated
 from tambour.crochet.model.stance import stands
@@ -121,6 +122,10 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         if mesh.color is not None:
             first = np.concatenate([origin for _, _, origin in found])
             shades = target.vertices, mesh.color[first]
+            if not any(bumps) and (face := painted(target.vertices, target.faces, shades[1], plane)):
+                said = "a spot of the model's colours", "two spots of the model's colours"
+                lines += faces_of(face, pieces, stitch, params.plain_ <= 0.0, shades, tell, said)
+                shades = target.vertices, uncoloured(*shades, face)
         lines += [line for face in bumps for line in faces_of(face, pieces, stitch, params.plain_ <= 0.0, shades, tell)]
     if shades is not None:
         plain = uncoloured(*shades, tuple(b for face in bumps for b in face))
