@@ -42,7 +42,7 @@ from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
 from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
-from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, roundness, tried
+from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, roundness, shortened, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.painted import painted
 from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
@@ -180,6 +180,30 @@ def test_the_loop_mends_rounds_that_began_too_wide_or_too_narrow_by_counts_alone
     way = piece.aim.history["Body"]
     assert way[0] > least > most > min(way)
     assert piece.aim.distance["mean"] == pytest.approx(min(way), abs=0.05)
+
+
+def test_a_part_whose_ends_stand_out_of_its_model_is_worked_in_fewer_rounds() -> None:
+    x, faces, _ = bodies(Mesh(*globe(3.5, 16, 1.6)), [])[0]
+    tip = int(x[:, 1].argmax())
+    f = distances(x, faces, np.array([tip]))
+    lines_of = lambda high: fronts(x, faces, f, len(high), tip, None, high)  # noqa: E731
+    long = round(float(f.max())) + 2
+    task = Task(
+        "Ball",
+        lines_of(np.ones(long)),
+        Target.of(x, faces),
+        np.array([0.0, 0.0, -1.0]),
+        0.5,
+        "start",
+        CrochetParams(),
+        (5.0, 5.0),
+        lines=lines_of,
+    )
+    begun = tried(task, task.way.girths)
+    on, best, history = shortened(task, begun, 2)
+    assert len(on.way.lines) < long and best.distance.mean < begun.distance.mean - 0.05 and len(history) > 1
+    assert min(best.counts[:2]) >= 5 and best.counts[1] > 8
+    assert shortened(on, best, 2)[0] is on or len(shortened(on, best, 2)[0].way.lines) < len(on.way.lines)
 
 
 @pytest.mark.slow

@@ -39,6 +39,10 @@ BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 8
 each; no more threads than so many are pulled at once."""
 BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
+AT_END, BLUNT = 3, 0.85
+"""So many rounds at an end come to this share of it at the least: a thinner end is a peg."""
+FEWER = 3
+"""A part is worked in so many rounds fewer, at the most, than its way is long."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -158,8 +162,9 @@ def roundness(way: Fronts) -> float:
 def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
     """The same, filled as the task says."""
     best, history = _counted(task, first, tries)
-    task, best, more = bent(task, best, tries)
-    history += more
+    for change in (shortened, bent):
+        task, best, more = change(task, best, tries)
+        history += more
     most = threads.most(sum(best.counts), task.plain) if task.params.stuffing != "none" else 0
     bare, tighter = best, threads.FIRST if _stuffed(task) else 0.0
     add = most if most <= HARDLY else most // BATCHES
@@ -176,6 +181,23 @@ def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[flo
         else:  # fewer at once, and no tighter than they belong
             add, tighter = add // 2, 0.0
     return task, (best if task.plain <= 0.0 or threads.worth(bare, best) else bare), history
+
+
+def shortened(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    """The task, and the best rounds of it, with as many rounds fewer as its ends stand out of the model, if that brings it nearer: stuffing
+    makes a part longer, and rounds alone cannot but make its ends thin."""
+    rows, row = len(task.way.lines), task.stitch[1] / task.stitch[0]
+    off = signed(task.target, best.worked.x, best.distance)
+    out = max(float(off[0]), 0.0) + (max(float(off[-1]), 0.0) if task.way.closed else 0.0)
+    less = min(int(out / row), FEWER)
+    if task.lines is None or task.hollow[0] or less < 1 or rows < 3 * FEWER:
+        return task, best, []
+    way = task.lines(np.ones(rows - less))
+    many = len(way.lines)
+    wider = np.interp((np.arange(many) + 0.5) / many, (np.arange(rows) + 0.5) / rows, best.wanted / task.way.girths)
+    on = replace(task, way=way, leans=())
+    now, history = _counted(on, tried(on, wider * way.girths), min(AGAIN, tries))
+    return (on, now, history) if now.price < best.price - GAIN else (task, best, history)
 
 
 def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
@@ -254,7 +276,9 @@ def corrected(task: Task, last: Tried, step: float) -> Array:
     mean = 0.5 * (mean + _wide(last.lain, last.counts) - _wide(last.goal, last.counts))
     smooth = np.convolve(np.pad(mean, 1, mode="edge"), [0.25, 0.5, 0.25], "valid")
     wide = task.way.girths
-    return np.clip(last.wanted - step * 2.0 * math.pi * smooth, BOUNDS[0] * wide, BOUNDS[1] * wide)
+    least = np.full(count, BOUNDS[0])
+    least[:AT_END] = least[count - AT_END * task.way.closed :] = BLUNT
+    return np.clip(last.wanted - step * 2.0 * math.pi * smooth, least * wide, BOUNDS[1] * wide)
 
 
 def _wide(x: Array, counts: list[int]) -> Array:
