@@ -41,7 +41,7 @@ LOOKS = 16
 LONGEST = 5.0
 """Segments are shorter than this, in radii, where strands are pushed apart: one long one makes pairs dear to find."""
 
-_DETAIL = {"low": (1, 0.75), "medium": (2, 0.3), "high": (3, 0.03)}
+_DETAIL = {"low": (1, 0.66), "medium": (2, 0.3), "high": (3, 0.03)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
 
 

@@ -48,7 +48,7 @@ def erect(cell: I4x1, at: F8x2, height: F8x1, bring: F8x1) -> None:
         high, v = height[cell[p]], at[p, 1]
         if high < TALL:
             high = max(high, 1.0)
-            front = _share(at[p, 2] / 0.25) * min(max(v / high, 0.0), HIGHEST) * _share((0.2 + high - v) / 0.3)
+            front = _share(at[p, 2] / 0.22) * min(max(v / high, 0.0), HIGHEST) * _share((0.2 + high - v) / 0.3)
             at[p, 0] -= front * bring[cell[p]]
 
 

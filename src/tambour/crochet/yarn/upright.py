@@ -19,6 +19,8 @@ SLANTS: Final = {"over": 0.41, "under": 0.08}
 """How far the middle of a V moves along the work in a cell whose column stands upright, in widths over its height; what of it is brought upright."""
 MIDDLE: Final = 0.23
 """Where in its cell a V stands."""
+CLIMB: Final = 1.5
+"""A spiral's rows climb by a row a round, and what stands upright on them leans back in a thin limb: by so much over the stitches around."""
 MOST: Final = 0.8
 """Legs are brought upright by so much at the most, in widths over a stitch's height."""
 
@@ -45,7 +47,9 @@ def upright(at: Array, led: Way, graph: StitchGraph, rows: Course, hold: str) ->
         rows.slip,
         aside,
     )
-    bring = np.where(np.diff(graph.anchor_offsets) > 0, np.clip(aside + SLANTS[hold], -MOST, MOST), 0.0)
+    _, number, count = np.unique(graph.round, return_inverse=True, return_counts=True)
+    wanted = np.clip(aside + SLANTS[hold] - CLIMB / count[number], -MOST, MOST)
+    bring = np.where(np.diff(graph.anchor_offsets) > 0, wanted, 0.0)
     out = at.copy()
     share(len(out), BLOCK, lambda a, b: erect(led.cell[a:b], out[a:b], graph.height, bring))
     return out
@@ -70,22 +74,27 @@ def _leaning(
 ) -> None:
     """Fill aside (N,): how far along the work every stitch's top stands from what it is worked into, in widths there; those
     of one place stand together as much as they do in the mean."""
-    low, top = np.zeros((3, 3)), np.zeros((3, 3))
+    low, top, way = np.zeros((3, 3)), np.zeros((3, 3)), np.zeros(3)
     n = len(aside)
     for i in range(n):
         first, last = offsets[i], offsets[i + 1]
         if last == first or ring[anchors[first]]:
             continue
         j = host[i]
+        # The way of the work there: in a limb of six a stitch further it is another by 60 degrees.
+        on_row(j, slip[i] + MIDDLE + 0.25, x, along, normal, up, after, before, top)
+        on_row(j, slip[i] + MIDDLE - 0.25, x, along, normal, up, after, before, low)
+        for c in range(3):
+            way[c] = 2.0 * (top[0, c] - low[0, c])
         on_row(j, slip[i] + MIDDLE, x, along, normal, up, after, before, top)
         far = size = 0.0
         for k in range(first, last):
             a = anchors[k]
             on_row(host[a], slip[a] + foot[i] + pace[i] * MIDDLE, x, along, normal, up, after, before, low)
             for c in range(3):
-                far += (top[0, c] - low[0, c]) * along[j, c] / (last - first)
+                far += (top[0, c] - low[0, c]) * way[c] / (last - first)
         for c in range(3):
-            size += along[j, c] * along[j, c]
+            size += way[c] * way[c]
         aside[i] = far / max(size, 1e-9)
     i = 0
     while i < n:
