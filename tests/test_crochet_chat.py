@@ -84,3 +84,9 @@ def test_what_stands_around_a_pattern_on_its_page_is_none(below: str) -> None:
     )
     pattern = read_printed(Text(text, "egg.txt"))
     assert not pattern.unread and len(pattern.parts) == 1
+
+
+@pytest.mark.parametrize("name", ["CHERRY (Red)", "STRAWBERRY (Red)", "ROSE (pink)"])
+def test_a_part_called_like_a_colour_with_its_yarn_in_brackets_is_a_part(name: str) -> None:
+    text = f"Cake\n\nBOTTOM (White)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nFasten off.\n\n{name}\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n"
+    assert [p.name for p in read_printed(Text(text, "cake.txt")).parts] == ["BOTTOM", name.split()[0]]

@@ -226,7 +226,7 @@ Rnds 5-7: sc around (24)
             "Join brown in the first of the skipped stitches of Rnd 7.\nRnd 8: sc in each of the 12 skipped sts (12)"
         )
         for first in (
-            "Rnd 8: sc in next 12 sts, skip the remaining 12 sts and continue in the first of the 12 sts just made, which closes the leg (12)",
+            "Rnd 8: sc in next 12 sts, skip the remaining 12 sts and continue in the first of the 12 sts just made, which closes the leg to a ring (12)",
             "Now work only over the first 12 stitches.\nRnd 8: sc 12, then sc in the first sc of this round to form the leg (12)",
             "Count 12 stitches and join the 12th with the first one.\nRnd 8: sc around (12)",
         )

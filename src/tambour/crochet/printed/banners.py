@@ -60,7 +60,12 @@ def _yarned(text: str, row: Row) -> Row:
     """A name in capitals with its yarn behind it: ``BODY start w yellow``, ``WINGS white x2``, ``EARS 2x in pale pink``."""
     tokens = row.tokens
     at = next((k for k, t in enumerate(tokens) if t.kind != "word" or not text[t.start : t.end].isupper()), 0)
-    if not 0 < at <= _NAME or row.marked or len(tokens) > at + _BEHIND or any(t.word in _CLOSED for t in tokens):
+    if (
+        not 0 < at <= _NAME
+        or row.marked
+        or len(tokens) > at + _BEHIND
+        or any(t.word in (*_CLOSED, "(", "[") for t in tokens)
+    ):
         return row
     rest = [t for t in tokens[at:] if t.word not in ("(", ")", ",", "-", ":")]
     rest = [

@@ -90,13 +90,23 @@ def _second(rows: list[Row], second: int, vocabulary: Vocabulary, plain: str) ->
     if not count:
         return
     opened = [t for k in range(first, begin + 1) if rows[k].tokens for t in vocabulary.read(rows[k].tokens)]
-    if any(t.kind == "key" and t.value in ("ring", "hook") for t in opened):
+    if any(t.kind == "key" and t.value in ("ring", "hook") and not _closed(opened, k) for k, t in enumerate(opened)):
         return  # legs of their own, which a body joins
     for k in range(first, begin):  # "Count 12 stitches and join the 12th with the first": the round says it
         if _SETS.match(_words(rows[k].tokens)) is not None:
             rows[k] = replace(rows[k], tokens=[])
     rows[begin] = replace(rows[begin], tokens=_leaving(rows[begin].tokens, count, plain))
     _join(rows, joins, rows[begin:second], count, vocabulary, plain)
+
+
+def _closed(tokens: list[Token], at: int) -> bool:
+    """Whether a ring is what stitches are closed to: "which closes the leg to a ring"."""
+    return any(t.word in _CLOSES for t in tokens[max(0, at - 6) : at])
+
+
+_CLOSES: Final = frozenset(
+    ("close", "closes", "closing", "form", "forms", "forming", "makes", "into", "join", "joining")
+)
 
 
 def _opens(tokens: list[Token]) -> bool:
