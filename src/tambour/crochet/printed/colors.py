@@ -134,13 +134,12 @@ class Palette:
             if length == len(digits) in (3, 6) and all(d in "0123456789abcdef" for d in digits):
                 wide = digits if length == 6 else "".join(d + d for d in digits)
                 return unhexed(wide), count
-        for length in (3, 2, 1):
-            if at + length > len(tokens):
-                continue
+        end = at  # behind the words that a name may be of
+        while end < min(at + 3, len(tokens)) and (tokens[end].kind == "word" or tokens[end].word in ("-", "light")):
+            end += 1
+        for length in range(end - at, 0, -1):
             words = [t.word for t in tokens[at : at + length] if t.word != "-"]
-            if not words or any(t.kind != "word" and t.word not in ("-", "light") for t in tokens[at : at + length]):
-                continue
-            shade = self.name(" ".join(words))
+            shade = self.name(" ".join(words)) if words else None
             if shade is not None:
                 return shade, length
         return None
