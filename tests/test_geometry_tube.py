@@ -90,6 +90,9 @@ def test_plies_wind_about_the_tube() -> None:
     points, uv = mesh.vertices[inside], mesh.uv[inside]
     reach = np.hypot(points[:, 1], points[:, 2])
     assert 0.7 < reach.min() < 0.85 and 1.05 < reach.max() < 1.2
+    # As deep as asked, 0.3 radii, however round their bottom is; and there is as much yarn as without them.
+    assert reach.max() - reach.min() == pytest.approx(0.3, abs=0.002)
+    assert reach.mean() == pytest.approx(1.0, abs=0.002)
     # Farthest from the axis where the ply's number of turns is whole.
     phase = (3 * (uv[:, 1] - uv[:, 0])) % 1
     assert np.abs(phase[reach > 1.08] - np.round(phase[reach > 1.08])).max() < 0.2

@@ -14,6 +14,8 @@ from tambour.core.strands import Strands
 
 SOFT = 0.2
 """How round the bottom of the groove between plies is: fibres fill it, and a sharp one is a crease."""
+FLOOR, RISE, MEAN = sqrt(SOFT), sqrt(1.0 + SOFT) - sqrt(SOFT), 0.553
+"""Where such a bottom lies and how far a ply rises over it, before both are scaled to be as deep as asked; and its mean height, of 1."""
 
 
 @kernel
@@ -124,7 +126,7 @@ def _rings(
                 wave = 1.0
                 if plies > 0:
                     ripple = cos(pi * plies * (v - turns))
-                    wave = 1.0 + groove * (sqrt(ripple * ripple + SOFT) - 0.78)
+                    wave = 1.0 + groove * ((sqrt(ripple * ripple + SOFT) - FLOOR) / RISE - MEAN)
                 c, d = wide * wave * cos(2.0 * pi * v), wide * wave * sin(2.0 * pi * v)
                 vertices[vertex, 0] = coords[i, 0] + out * tx + c * ax + d * bx
                 vertices[vertex, 1] = coords[i, 1] + out * ty + c * ay + d * by

@@ -264,7 +264,7 @@ def mesh(
             made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
         )
         made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data={})
-        yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.17, wander=WANDER, material=kind.surface)
+        yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.11, wander=WANDER, material=kind.surface)
     else:
         yarn = sweep(made, sides=SIDES[detail], lay=LAY, wander=WANDER, material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
