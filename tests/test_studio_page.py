@@ -925,6 +925,8 @@ def test_follow(page, server):
         page,
         "fetch(`/api/pieces/${location.pathname.split('/')[2]}/place`).then(a => a.json()).then(told => told.place?.step === 1)",
     )
+    # The server has it before its answer is back: until then the page asks before it is left.
+    until(page, "document.body.textContent.includes('Your place is kept on the computer too.')")
     page.reload()
     until(page, "document.querySelector('.words .row')?.textContent === 'Rnd 2'")
 
