@@ -101,9 +101,9 @@ def window(
     # The room is brighter on the window's side; the table sends up what is left.
     cool, warm = np.array([0.96, 0.99, 1.04]), np.array([1.10, 0.98, 0.82])
     bright = np.where(height > 0, 0.42 + 0.3 * height, 0.22 - 0.06 * height) * (1.0 + 0.45 * (dome @ towards))
-    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (1.72 / sky)
+    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (1.48 / sky)
     lamps = directions(lamp, towards, soft)
-    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (1.78 / lamp), (lamp, 3))
+    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (2.08 / lamp), (lamp, 3))
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 
 

@@ -27,7 +27,7 @@ from tambour.render.tables import PLANK, TABLES, tile
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-    "yarn": (0.55, 0.3, 0.0, 1.0, 4.0, 0.26, 0.02, 34.0, 0.85, 0.0105),
+    "yarn": (0.55, 0.22, 0.0, 1.0, 4.0, 0.26, 0.02, 34.0, 0.85, 0.0105),
     "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.30, 0.018, 12.0, 0.5, 0.0085),
     "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.26, 0.026, 30.0, 0.8, 0.0095),
     "chenille": (1.3, 0.55, 0.0, 1.0, 0.0, 0.0, 0.0, 300.0, 0.52, 0.028),
@@ -45,7 +45,7 @@ OPEN = 0.022
 """How wide the lens is open before a table, as a share of the thing's size: its far edge is soft."""
 BEND, SLOPE = 0.5, 0.10
 """Over how much of the picture's height a sheet bends up; how much more light comes to the window's side than to the middle."""
-NEARBY, BOUNCED = 1.2, 0.2
+NEARBY, BOUNCED = 1.2, 0.08
 """How much deeper the shadow is on a table that a wall is about; what part of the light that a thing takes from it it sends back, were it white."""
 SUNNY = 1.18
 """How much more light falls on a table than on what stands upright: the window stands high."""

@@ -13,13 +13,14 @@ from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.core.threads import share
 from tambour.crochet.yarn import points
-from tambour.crochet.yarn.clearance import clear
+from tambour.crochet.yarn.clearance import ALONG, clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
 from tambour.crochet.yarn.edges import arched, domed, eased, level
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.points import BLOCK
+from tambour.crochet.yarn.pressed import pressed
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.crochet.yarn.upright import upright
@@ -232,7 +233,7 @@ PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 8.5
+LAY = 7.5
 """Radii along which plies wind once about the yarn: they lie 30 degrees to its way. Steeper, one leg of a V shows them lying
 along it and the other across it, and no two legs are alike."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
@@ -264,9 +265,13 @@ def mesh(
             made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
         )
         made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data={})
-        yarn = sweep(made, sides=20, lay=LAY, plies=kind.plies, groove=0.11, wander=WANDER, material=kind.surface)
+        plies, sides = kind.plies, 20
     else:
-        yarn = sweep(made, sides=SIDES[detail], lay=LAY, wander=WANDER, material=kind.surface)
+        plies, sides = 0, SIDES[detail]
+    yarn = sweep(made, sides=sides, lay=LAY, plies=plies, groove=0.13, wander=WANDER, material=kind.surface)
+    if detail in ("near", "photo"):
+        along = ALONG * graph.stitch_width * RATIO
+        yarn = replace(yarn, vertices=pressed(made, yarn.vertices, sides, along))
     inner = lining(graph, positions, graph.stitch_width)
     every = (yarn, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])

@@ -1,0 +1,100 @@
+"""Pressed: yarn gives way to yarn: nothing goes through anything, and nothing is lost."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tambour.core import threads
+from tambour.core.errors import Text
+from tambour.core.paths import Paths
+from tambour.core.progress import Progress
+from tambour.core.strands import Strands
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.yarn.pressed import FULLER, LEAST, pressed
+from tambour.geometry.tube import sweep
+
+SIDES = 24
+
+
+def strands(*lines: np.ndarray, radius: float = 1.0) -> Strands:
+    paths = Paths.of(lines, 3)
+    return Strands(paths, np.full(len(paths.coords), radius), np.zeros((len(lines), 3), np.uint8))
+
+
+def line(y: float, *, across: bool = False) -> np.ndarray:
+    x = np.linspace(-6.0, 6.0, 49)
+    still = np.zeros_like(x)
+    return np.stack([still, still + y, x] if across else [x, still + y, still], axis=1)
+
+
+def tubes(made: Strands) -> tuple[np.ndarray, np.ndarray]:
+    """The vertices as swept and as pressed."""
+    swept = sweep(made, sides=SIDES).vertices
+    return swept, pressed(made, swept, SIDES, 1.0)
+
+
+def section(vertices: np.ndarray, number: int) -> np.ndarray:
+    """The ring (SIDES, 2) in the middle of a strand along x, about its own line."""
+    ring = 1 + SIDES * 25 + number * (SIDES * 51 + 2)
+    return vertices[ring : ring + SIDES, 1:]
+
+
+def area(ring: np.ndarray) -> float:
+    y, z = ring.T
+    return 0.5 * abs(float((y * np.roll(z, -1) - z * np.roll(y, -1)).sum()))
+
+
+def test_two_that_lie_side_by_side_are_flat_between_them_and_keep_their_yarn() -> None:
+    before, after = tubes(strands(line(0.0), line(1.2)))
+    low, high = section(after, 0), section(after, 1)
+    assert section(before, 0)[:, 0].max() == pytest.approx(1.0)
+    assert low[:, 0].max() < 0.6 < high[:, 0].min()
+    # Round at its shoulders, fuller where it is free, but not by more than it may be.
+    assert 1.02 < -low[:, 0].min() <= FULLER + 1e-9
+    assert 0.88 * area(section(before, 0)) < area(low) < area(section(before, 0))
+    np.testing.assert_allclose(low[:, 0], 1.2 - np.sort(high[:, 0])[np.argsort(np.argsort(-low[:, 0]))], atol=1e-9)
+
+
+def test_one_that_crosses_another_leaves_it_room() -> None:
+    _, after = tubes(strands(line(0.0), line(0.9, across=True)))
+    assert section(after, 0)[:, 0].max() < 0.45
+    # Away from there it is as it was.
+    end = after[1 + SIDES * 3 : 1 + SIDES * 4]
+    assert np.hypot(end[:, 1], end[:, 2]) == pytest.approx(1.0)
+
+
+def test_what_has_its_room_stays_as_it_was_and_something_is_left_of_all() -> None:
+    before, after = tubes(strands(line(0.0), line(2.01)))
+    np.testing.assert_array_equal(before, after)
+    _, after = tubes(strands(line(0.0), line(0.1)))
+    assert np.hypot(*section(after, 0).T).min() >= LEAST - 1e-9
+    nothing = strands(np.zeros((1, 3)))
+    assert tubes(nothing)[1].shape == (0, 3)
+
+
+BALL = ": MR(6)\n: 6 inc\n: [sc, inc] x 6 (18)\n: 18 sc\n: 18 sc\n: [sc, dec] x 6 (12)\n: 6 dec (6)\nFO\n"
+
+
+def sunk(made: Strands, vertices: np.ndarray, sides: int) -> np.ndarray:
+    """How much nearer, plainly, in radii of each, every corner of some rings lies to another stretch of the yarn than to its own."""
+    coords, out = made.paths.coords, []
+    for i in range(40, len(coords) - 40, 23):
+        ring = vertices[1 + sides * (i + 1) : 1 + sides * (i + 2)]
+        other = np.abs(np.arange(len(coords)) - i) > 12
+        own = np.linalg.norm(ring - coords[i], axis=1) / made.radius[i]
+        out.append(own - (np.linalg.norm(ring[:, None] - coords[other], axis=2) / made.radius[other]).min(1))
+    return np.array(out)
+
+
+def test_in_a_toy_no_yarn_goes_through_yarn(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = make(Text(BALL), CrochetParams(), Progress()).yarn
+    assert len(made.color) == 1
+    swept = sweep(made, sides=10).vertices
+    many = pressed(made, swept, 10, 1.6)
+    before, after = sunk(made, swept, 10), sunk(made, many, 10)
+    assert (before > 0.3).mean() > 0.15  # drawn as round tubes they go deep into each other
+    assert (after > 0.1).mean() < 0.01
+    monkeypatch.setattr(threads, "WORKERS", 1)
+    np.testing.assert_array_equal(many, pressed(made, swept, 10, 1.6))
