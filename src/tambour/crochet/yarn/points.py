@@ -16,7 +16,7 @@ BLOCK = 1 << 15
 """Points that are worked on at once."""
 PRESSED = 0.26
 """How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
-SQUEEZED = 0.35
+SQUEEZED = 0.28
 """How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 FULLER = 0.2
 """How much thicker the legs of half doubles are in their middle."""
