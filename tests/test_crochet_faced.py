@@ -3,10 +3,15 @@
 import numpy as np
 import pytest
 
-from tambour.crochet.finish.fallen import _hang
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.fallen import HEADS, _hang, _head
+from tambour.crochet.finish.limp import strings
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import in_rows
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
 from test_crochet_assembled import BODY, LIMBS, points, read, spot
 
 DISC = "FACE\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nFasten off.\n\n"
@@ -130,10 +135,49 @@ def test_strands_of_hair_hang_down_and_leave_the_face_free() -> None:
     strands = [np.array([(5.0 + 0.5 * k) * way for k in range(30)]) for way in ways]
     x = np.concatenate([ball, *strands])
     first = [len(ball) + 30 * k for k in range(len(strands))]
-    _hang(x, np.arange(len(ball)), [(np.arange(a + 1, a + 30), a) for a in first], -30.0, 1.0)
+    _hang(x, np.arange(len(ball)), [(np.arange(a + 1, a + 30), a) for a in first], -30.0)
     for a in first:
         tip = x[a + 29]
         assert tip[1] < -4.0 and float(np.hypot(tip[0], tip[2])) < 7.0
         assert np.diff(x[a + 12 : a + 30, 1]).max() < 0.0
         low = x[a + 10 : a + 30]
         assert not ((low[:, 2] > 3.5) & (np.abs(low[:, 0]) < 3.0)).any()
+
+
+DOLL = """LOTTE
+
+HEAD
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-9: sc around (24)
+Rnd 10: (2 sc, dec) x 6 (18)
+Rnd 11: (sc, dec) x 6 (12)
+Insert safety eyes between rounds 7 and 8, 6 sts apart. Stuff. Fasten off.
+
+{body}HAIR
+[Ch 12, sl st in 2nd ch from hook and in each of next 10 ch] 18 times. Fasten off.
+
+FINISHING
+Sew head to body. Sew hair to top of head.
+"""
+
+
+@pytest.mark.slow
+def test_crocheted_hair_lies_on_the_head_and_is_not_stretched() -> None:
+    """It lay as many millimetres off the head as it should in stitches, five times too far, on strands pulled long."""
+    piece = make(Text(DOLL.format(body=BODY), "lotte.txt"), CrochetParams(tolerance=0.05), Progress())
+    graph, x = piece.built.graph, piece.positions / piece.built.graph.stitch_width
+    found = strings(graph)
+    assert len(found) == 18
+    for nodes, base in found:
+        assert float(np.sqrt(((x[nodes[0]] - x[base]) ** 2).sum())) < 4.0
+        assert x[nodes, 1].min() < x[base, 1] - 5.0
+
+
+def test_what_hair_is_on_is_found_through_wigs_and_caps_of_every_toy() -> None:
+    names = ["pigtails 1", "hair_2", "cap_2", "head_2", "body_2", "tail"]
+    assert _head({0: 1, 1: 2, 2: 3, 3: 4}, 0, names) == 3
+    assert HEADS.search(names[3]) and not HEADS.search("headband")
+    assert _head({5: 4}, 5, names) == 4

@@ -8,6 +8,7 @@ from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed
 from tambour.crochet.places.halves import halves, joined
 from tambour.crochet.printed.pattern import read_printed
 
@@ -252,3 +253,61 @@ def test_legs_that_part_from_a_body_in_many_words(legs: str) -> None:
     assert len(across) == 12 and second == [12] * 5 + [6]
     assert not pattern.unread and not any("not known" in p.message for p in pattern.warnings)
     assert "leg" in pattern.parts[1].name.lower()
+
+
+TWO_DWARFS = """Two Dwarfs
+
+OLAF
+Head
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (1 sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5-9: sc around (24)
+Rnd 10: (2 sc, dec) x 6 (18)
+Rnd 11: (1 sc, dec) x 6 (12)
+Stuff. Fasten off.
+
+Cap
+Rnd 1: 4 sc in magic ring (4)
+Rnd 2: (1 sc, inc) x 2 (6)
+Rnd 3: (1 sc, inc) x 3 (9)
+Rnd 4: (2 sc, inc) x 3 (12)
+Rnd 5: (1 sc, inc) x 6 (18)
+Rnd 6: (2 sc, inc) x 6 (24)
+Rnd 7-8: sc around (24)
+Fasten off.
+
+Body
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (1 sc, inc) x 6 (18)
+Rnd 4-9: sc around (18)
+Rnd 10: (1 sc, dec) x 6 (12)
+Stuff. Fasten off.
+
+FINISHING
+Sew head to top of body. Sew cap to top of head.
+
+TILDA
+Head
+Work same as Olaf's head.
+
+Cap
+Work same as Olaf's cap.
+
+Body
+Work same as Olaf's body.
+
+FINISHING
+Sew head to top of body. Place cap on head and sew in place.
+"""
+
+
+def test_the_cap_of_another_toy_is_no_half_of_the_first_ones() -> None:
+    """Three gnomes' caps were sewn to each other, rim to rim, and stood on no head; loose caps were sewn on by a round within."""
+    built = build(read_printed(Text(TWO_DWARFS, "dwarfs.txt")))
+    assert halves(built) == []
+    caps = {f.part: f for f in built.pattern.finish if isinstance(f, Placed) and f.part.startswith("Cap")}
+    assert {p: f.spot.part for p, f in caps.items()} == {"Cap": "Head", "Cap_2": "Head_2"}
+    assert [f.by for f in caps.values()] == [None, None]

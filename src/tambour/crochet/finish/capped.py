@@ -23,16 +23,16 @@ _FREE: Final = 2
 """Rounds between a cap's rim and eyes, at the least."""
 
 
-def rim_on(built: Built, spots: Spots, placed: Placed, end: End) -> Array:
+def rim_on(built: Built, spots: Spots, placed: Placed, end: End, empty: bool = False) -> Array:
     """The stitches of the round that the rim of a cap comes down to on what it is put on; none of what is no cap.
 
     A cap is hollow, closed at its crown, nowhere wider than its rim, and about as wide as what it covers. It reaches as far from the
-    pole as its fabric does from its crown, and leaves eyes free.
+    pole as its fabric does from its crown, and leaves eyes free. empty : whether nobody fills it, though its text does not say so
     """
     none = np.zeros(0, int)
     graph = built.graph
     part, host = spots.parts[placed.part], spots.parts[placed.spot.part]
-    hollow = graph.parts[part].stuffing == 0.0 and not (spots.in_rows[part] or spots.in_rows[host])
+    hollow = (empty or graph.parts[part].stuffing == 0.0) and not (spots.in_rows[part] or spots.in_rows[host])
     if not end.ring or end.laid or placed.by is not None or placed.spot.stitch is not None or not hollow:
         return none
     own, theirs = spots.rounds_of(part), spots.rounds_of(host)

@@ -27,9 +27,9 @@ from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.near import nearest
 from tambour.geometry.surface import vertex_normals
 
-TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)\b")
+TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)(?![^\W\d_])")
 """Names of parts that are filled, and closed if nothing is sewn to their end."""
-BODY = re.compile(r"\b(?:body|k(?:ö|oe)rper|cuerpo|corps|lichaam)\b")
+BODY = re.compile(r"\b(?:body|k(?:ö|oe)rper|cuerpo|corps|lichaam)(?![^\W\d_])")
 """Of these a free end is closed though the other hangs on a head."""
 UPRIGHT = 0.95
 """The cosine of the angle up to which the fabric of an end leans by chance."""

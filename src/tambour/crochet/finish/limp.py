@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from tambour.crochet.finish.joining import Joined
     from tambour.crochet.finish.shape import Task
 
-LEGS = re.compile(r"\b(?:legs?|beine?|piernas?|patas?|jambes?|pattes?|benen|been|poten|poot)\b")
-ARMS = re.compile(r"\b(?:tentacles?|tentakeln?|fangarme?|tentáculos?|tentacules?|tentakels?)\b")
+LEGS = re.compile(r"\b(?:legs?|beine?|piernas?|patas?|jambes?|pattes?|benen|been|poten|poot)(?![^\W\d_])")
+ARMS = re.compile(r"\b(?:tentacles?|tentakeln?|fangarme?|tentáculos?|tentacules?|tentakels?)(?![^\W\d_])")
 """Names of limbs that a toy stands on, where they are not limp, and of those that always are."""
 THIN = 1.45
 """A leg is limp whose stitches lie so near to its axis, in stitches, by the root of the mean of squares: eight round it."""

@@ -25,6 +25,8 @@ _TWO: Final = re.compile(r"\b(?:2|two|both) (?:matching )?(?:pieces|halves|sides
 """Two of several pieces make one thing."""
 _LEAST: Final = 60
 """A half has so many stitches or more; smaller ones are ears and leaves in two layers."""
+_AGAIN: Final = re.compile(r"_\d+$")
+"""What the reader adds to a name that another part has."""
 _FACES: Final = ({"front", "back"},)
 
 
@@ -69,7 +71,15 @@ def _held(built: Built, spots: Spots, single: list[Made]) -> list[tuple[int, int
     of = {
         spots.parts[f"{s.name}.1"]: s.heading for s in built.pattern.parts if s.heading and f"{s.name}.1" in spots.parts
     }
-    pairs = [(i, k) for i in range(len(every)) for k in range(i + 1, len(every))]
+    # Where several parts come again under their own names, the text makes another toy: its cap is no half of the first one's.
+    again = [_AGAIN.sub("", m.name) for m in single]
+    several = sum(n != m.name for n, m in zip(again, single)) > 1
+    pairs = [
+        (i, k)
+        for i in range(len(every))
+        for k in range(i + 1, len(every))
+        if not (several and again[i] == again[k] and single[i].name != single[k].name)
+    ]
     return [
         (every[i], every[k])
         for i, k in pairs

@@ -202,13 +202,12 @@ class Holder(Beside):
             across = min(across, rim / (2.0 * math.pi) / 0.9)  # a cap over an open end is sewn where it is as wide
         if edge / (2.0 * math.pi) <= _WIDE * across:
             return None
-        spots = self.work.spots
-        if len(rim_on(spots.built, spots, placed, sewing.end_of(spots.built, spots, placed))):
-            return None  # a loose cap comes down over all of it
-        own = self.work.host(
-            (next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name), 1)
-        )
         spots, part = self.work.spots, self.work.spots.parts[placed.part]
+        made = next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name)
+        empty = made.worn or made.name in self.work.made.unstuffed
+        if len(rim_on(spots.built, spots, placed, sewing.end_of(spots.built, spots, placed), empty)):
+            return None  # a loose cap comes down over all of it
+        own = self.work.host((made, 1))
         fits = [num for num, ring in own.levels if len(ring) / (2.0 * math.pi) <= 0.9 * across]
         fits = [
             num for num in fits if spots.round_at(part, num) is not None
