@@ -269,7 +269,8 @@ def mesh(
     else:
         plies, sides = 0, SIDES[detail]
     yarn = sweep(made, sides=sides, lay=LAY, plies=plies, groove=0.13, wander=WANDER, material=kind.surface)
-    if detail in ("near", "photo"):
+    if detail in ("near", "photo") and kind.plies:
+        # Pile and halo lie in each other; spun yarn gives way.
         along = ALONG * graph.stitch_width * RATIO
         yarn = replace(yarn, vertices=pressed(made, yarn.vertices, sides, along))
     inner = lining(graph, positions, graph.stitch_width)
