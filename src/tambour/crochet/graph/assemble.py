@@ -79,12 +79,15 @@ def assemble(
             rest[e] = np.hypot(height * fields["height"][node], width * off[node, beside])
         level = np.array(hook.round, np.int32)[edges]
         rest[yarn & inside[edges].all(1) & (level[:, 0] == level[:, 1])] = CROWDED * width
-    for node, (lifted, passed) in hook.risen.items():
+    first = np.searchsorted(edges[:, 0], np.array(list(hook.risen), np.int32))
+    for at, (node, (lifted, passed)) in zip(first.tolist(), hook.risen.items()):
         # The yarn comes up from the edge below, or across from the chain that has lifted it.
-        came = np.flatnonzero((edges[:, 0] == node) & (edges[:, 1] == previous[node]))
         high = 0.0 if lifted else height * fields["height"][node]
         if high or passed:
-            rest[came] = np.hypot(high, width * passed)
+            while at < len(edges) and edges[at, 0] == node:
+                if edges[at, 1] == previous[node]:
+                    rest[at] = np.hypot(high, width * passed)
+                at += 1
     for root, count in hook.rings.items():
         # A ring opens as far as what stands around it asks for; chains between its stitches turn its corners.
         at = (edges[:, 1] == root) & (kind == THROUGH)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -114,6 +115,7 @@ class _Worker:
         self.seams: dict[tuple[str, ...], Span] = {}
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
+        self.more = 0  # times that the last of them was done again since
         self.worked: list[Worked] = []
         self.fresh = 0  # the first node of the row or round under way
         self.stitched = False  # the line under way has made more than chains
@@ -156,7 +158,7 @@ class _Worker:
         name = section.name or "piece"
         name = f"{name} {copy}" if self.copy else name
         self.facts.append(PartFacts(name, index, copy, section.centroids, section.stuffing, section.initializer))
-        self.log.append(Done("part", 1, (index, copy)))
+        self._tell(Done("part", 1, (index, copy)))
         fine = True
         try:
             for line in section.lines:
@@ -190,7 +192,7 @@ class _Worker:
         if line.times_span is not None:
             self.numbers.append((line.times, line.times_span))
         if line.again is not None:
-            self.log.append(Done("again", line.times, (line.again.first, line.again.last), (line.again.part,)))
+            self._tell(Done("again", line.times, (line.again.first, line.again.last), (line.again.part,)))
             for one in line.rounds():
                 try:
                     self._once(one, one.number)
@@ -217,12 +219,12 @@ class _Worker:
             hook.now.loop, hook.now.folded = BOTH, False
             hook.begin_line()
             hook.written = number or 0
-            self.log.append(Done("round", 1, (), (), line.span))
+            self._tell(Done("round", 1, (), (), line.span))
             self._step(1)
             self.slips = slipped(hook, line.items, self.pattern.stitches)
         else:
             self.slips = False
-            self.log.append(Done("line", 1, (), (), line.span))
+            self._tell(Done("line", 1, (), (), line.span))
         for item in line.items:
             self._item(item)
         if hook.now.spare >= 0:
@@ -231,11 +233,12 @@ class _Worker:
             pass_rest(hook)
         edge = hook.now.count + hook.joined
         for note in line.notes:
-            self.log.append(Done("note", 1, (), (self.pattern.text.text[note.start : note.end],)))
-        self.log.append(Done("end", edge))
+            self._tell(Done("note", 1, (), (self.pattern.text.text[note.start : note.end],)))
+        self._tell(Done("end", edge))
         # A magic ring's root, a tip and chains that only lift the yarn are nodes, but no stitches.
-        new = (n for n in range(self.fresh, len(hook)) if n not in hook.lifts)
-        made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in new)
+        looks = Counter(hook.style[self.fresh :])
+        made = sum(many for look, many in looks.items() if hook.styles[look][6] not in (ROOT, TIP))
+        made -= hook.lifting(self.fresh, len(hook))
         left = hook.ahead if self.left is None else self.left
         ring = line.in_round and hook.now.ring and not elsewhere and below > 0
         self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
@@ -299,7 +302,7 @@ class _Worker:
         self.steps += 1
         most = self.pattern.max_stitches
         nodes += self.hook.hanging
-        if len(self.hook) + nodes <= most and self.steps <= _IDLE * most + 1000:
+        if len(self.hook.parent) + nodes <= most and self.steps <= _IDLE * most + 1000:
             return
         numbers = [*self.numbers, own] if own else self.numbers
         worst = max(numbers, key=lambda n: n[0], default=None)
@@ -426,9 +429,17 @@ class _Worker:
         self.counts[action.name] = self.counts.get(action.name, 0) + action.times
         last = self.log[-1]
         if action.name not in RULES and last.what == action.name:
-            self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
+            self.more += action.times
         else:
-            self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
+            self._tell(Done(action.name, action.times, action.numbers, action.labels, action.span))
+
+    def _tell(self, done: Done) -> None:
+        """Logs what was done, when all of what was done before it is known."""
+        if self.more:
+            last = self.log[-1]
+            self.log[-1] = Done(last.what, last.times + self.more, (), (), last.span)
+            self.more = 0
+        self.log.append(done)
 
 
 def _names(items: tuple[Item, ...]) -> Iterator[str]:

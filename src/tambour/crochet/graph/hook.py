@@ -126,7 +126,7 @@ class Hook:
                         self._number,
                         first,
                         top,
-                        sum(n not in self.lifts for n in range(first, top + 1)) - self._picots,
+                        top + 1 - first - self.lifting(first, top + 1) - self._picots,
                         self.styles[self.style[first]][7],
                         below,
                         whole,
@@ -138,6 +138,10 @@ class Hook:
         self.first, self._picots = len(self), 0
         self.now.left = self.now.count
         self.trailing = False
+
+    def lifting(self, first: int, end: int) -> int:
+        """How many of the nodes ``first`` to before ``end`` are chains that only lift the yarn."""
+        return sum(map(self.lifts.__contains__, range(first, end))) if self.lifts else 0
 
     def round_done(self) -> None:
         """The round below is used up."""
@@ -221,10 +225,8 @@ class Hook:
             self.foundation()
         self.need_start()
         now = self.now
-        front = now.front
-        if any(m.what in (THROUGH, JOIN) for m in stitch.moves):
+        if stitch.pulls:
             self.begin_stretch()
-        faces, stretches, stretch, forward = self.faces, self.face_stretch, now.stretch, now.direction > 0
         key = (id(stitch), id(self.span), self.part, self.color, now.loop, now.direction)
         looks = self._looks.get(key)
         if looks is None:
@@ -233,6 +235,8 @@ class Hook:
         if stitch.takes == stitch.makes == 1 and len(looks) == 2:
             plainly(self, looks[1], times)
             return
+        front = now.front
+        faces, stretches, stretch, forward = self.faces, self.face_stretch, now.stretch, now.direction > 0
         for _ in range(times):
             spine = now.spine
             path = spine[::-1]

@@ -61,9 +61,9 @@ def in_rows(graph: StitchGraph) -> Array:
     into the row below join nothing, where the piece is turned again and again."""
     of_join = graph.edges[graph.edge_kind == JOIN]
     closes = graph.round[of_join[:, 0]] == graph.round[of_join[:, 1]]
-    back, every = (
-        np.unique(np.column_stack([graph.part, graph.round])[some], axis=0)[:, 0] for some in (graph.direction < 0, ...)
-    )
+    levels = int(graph.round.max(initial=0)) + 2  # -1 is one
+    of_round = graph.part.astype(np.int64) * levels + graph.round + 1
+    back, every = (np.unique(of_round[some]) // levels for some in (graph.direction < 0, ...))
     often = 3 * np.bincount(back, minlength=len(graph.parts)) >= np.bincount(every, minlength=len(graph.parts))
     of_join = of_join[closes | ~often[graph.part[of_join[:, 0]]], 0]
     joined, turned, rooted = (np.zeros(len(graph.parts), bool) for _ in range(3))
@@ -92,10 +92,12 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     heights = rise(graph, rest)
     starts = np.flatnonzero(np.diff(section, prepend=-1))
     ends = np.append(starts[1:], n)
-    flat = in_rows(graph)
+    rows = in_rows(graph)
+    flat = rows.copy()
     edging = np.zeros(n, bool)  # begins with a round about rows
-    for later in graph.edges[graph.edge_kind == JOIN, 0].tolist():
-        edging[starts[np.searchsorted(starts, later, side="right") - 1]] |= bool(flat[graph.part[later]])
+    later = graph.edges[graph.edge_kind == JOIN, 0]
+    later = later[flat[graph.part[later]]]
+    edging[starts[np.searchsorted(starts, later, side="right") - 1]] = True
     half = np.full(len(graph.parts), -1.0)  # of the straight sides, in parts that are ovals
     ends_of = np.zeros(len(graph))  # the radius of the stadium that a node is in
     folded = ovals.layers(graph)
@@ -114,13 +116,13 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         x[graph.parts[part].start : graph.parts[part].end] = made
     first: dict[bytes, int] = {}
     copied = {part: one for part, key in keys.items() if (one := first.setdefault(key, part)) != part}
-    for k, (a, b) in enumerate(zip(starts.tolist(), ends.tolist())):
-        part = int(graph.part[a])
+    into = np.repeat(np.arange(n), np.diff(graph.anchor_offsets))
+    for k, (part, a, b) in enumerate(zip(graph.part[starts].tolist(), starts.tolist(), ends.tolist())):
         if part in known or part in copied:
             continue
-        nodes = np.arange(a, b)
+        count, nodes = b - a, slice(a, b)
         anchors = graph.anchors[graph.anchor_offsets[a] : graph.anchor_offsets[b]]
-        over = np.repeat(np.arange(b - a), np.diff(graph.anchor_offsets[a : b + 1]))  # which node is worked into each
+        over = into[graph.anchor_offsets[a] : graph.anchor_offsets[b]] - a  # which node is worked into each
         if len(anchors) and int(anchors.max()) >= a:
             over, anchors = over[anchors < a], anchors[anchors < a]
         under = anchors if bool((anchors[1:] > anchors[:-1]).all()) else np.unique(anchors)
@@ -132,67 +134,71 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             if on:
                 # The hook's end at the back: the middle of a round is in front.
                 half[part], flat[part] = 0.5 * (on - 1), False
-                x[nodes, 2] = 0.5 * (on - 1) - np.arange(b - a)
-                x[nodes[on:], 2], x[nodes[on:], 1] = x[nodes[on - 1], 2], np.arange(1, b - a - on + 1)
+                x[nodes, 2] = 0.5 * (on - 1) - np.arange(count)
+                x[a + on : b, 2], x[a + on : b, 1] = x[a + on - 1, 2], np.arange(1, count - on + 1)
                 begun[part] += 1
                 continue
-            x[nodes] = _begin(graph, x, nodes, width[part], begun[part], bool(flat[part]))
+            x[nodes] = _begin(graph, x, np.arange(a, b), width[part], begun[part], bool(flat[part]))
             begun[part] += int(graph.previous[a] < 0 or graph.previous[a] < graph.parts[part].start)
             continue
-        centre = x[under].mean(0)
+        centre = _middle(x[under])
         below = section[under]
         below = below[:1] if below[0] == below[-1] else np.unique(below)
         if len(below) == 1:
             c, d = int(starts[below[0]]), int(ends[below[0]])
             if WHOLE * (d - c) < len(under) < d - c and not flat[part] and half[part] < 0.0:
-                centre = x[c:d].mean(0)  # the stitch that joins a round is not worked into, and is no reason to lean
-        h = float(heights[nodes].mean())
-        many = np.bincount(over, minlength=b - a)[:, None]
-        stand = np.column_stack([np.bincount(over, x[anchors, axis], b - a) for axis in range(3)])
+                centre = _middle(x[c:d])  # the stitch that joins a round is not worked into, and is no reason to lean
+        h = float(np.add.reduce(heights[nodes]) / count)
+        many = np.bincount(over, minlength=count)[:, None]
+        stand = np.empty((count, 3))
+        for axis, values in enumerate(x[anchors].T):
+            stand[:, axis] = np.bincount(over, values, count)
         stand = np.where(many > 0, stand / np.maximum(many, 1), centre)
         if flat[part] and edging[a]:
-            off = stand - x[graph.parts[part].start : a].mean(0)
+            off = stand - _middle(x[graph.parts[part].start : a])
             x[nodes] = stand + h * off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9)
             continue
         if flat[part]:
-            x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(b - a) - 0.5 * (b - a - 1))
+            x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(count) - 0.5 * (count - 1))
             x[nodes, 1] = centre[1] + h
             x[nodes, 2] = WAVE * np.sin(0.7 * x[nodes, 0] + 1.3 * x[nodes, 1])
             continue
         if folded[a:b].any():
             x[nodes] = stand + np.array([0.0, h, 0.0])
             continue
-        if half[part] >= 0.0 and b - a > 3:
-            side, radius = ovals.straight(b - a, float(half[part]))
+        if half[part] >= 0.0 and count > 3:
+            side, radius = ovals.straight(count, float(half[part]))
             spread = float(ends_of[under].mean())
             up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
-            x[nodes, 0], x[nodes, 2] = ovals.turned(b - a, side, radius, stand[:, [0, 2]]).T
+            x[nodes, 0], x[nodes, 2] = ovals.turned(count, side, radius, stand[:, [0, 2]]).T
             x[nodes, 1], ends_of[nodes] = centre[1] + (-up if inside[a] else up), radius
             continue
         turns = ovals.corners(graph, a, b) if flats[part] else []
-        radius = (b - a) / (2.0 * math.pi) if b - a > 1 else 0.0
-        spread = float(np.hypot(*(x[under] - centre)[:, [0, 2]].T).mean())
+        radius = count / (2.0 * math.pi) if count > 1 else 0.0
+        off = x[under] - centre
+        spread = float(np.add.reduce(np.hypot(off[:, 0], off[:, 2])) / len(off))
         up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
         if 3 <= len(turns) <= 8:
-            flat_at = ovals.polygon(b - a, turns) * [1.0, float(graph.direction[a])]
+            flat_at = ovals.polygon(count, turns) * [1.0, float(graph.direction[a])]
             # Its sides are as far out as the rows are high, or nearly: it lies flat. Else its rows rise.
             apothem = float(np.hypot(*flat_at.T).min())
             out = apothem - float(ends_of[under].mean())
             up = math.sqrt(h * h - out * out) if out < NEARLY * h else 0.0
             ends_of[nodes] = apothem
-            own, over = flat_at[:, 0] + 1j * flat_at[:, 1], (stand - centre)[:, 0] + 1j * (stand - centre)[:, 2]
-            turn = (over * own.conj()).sum()
+            own, there = flat_at[:, 0] + 1j * flat_at[:, 1], (stand - centre)[:, 0] + 1j * (stand - centre)[:, 2]
+            turn = (there * own.conj()).sum()
             own = own * (turn / abs(turn) if abs(turn) > 1e-9 else np.exp(1j * BACK) * own[0].conj() / abs(own[0]))
-            x[nodes] = centre + np.column_stack([own.real, np.full(b - a, up), own.imag])
+            x[nodes] = centre + np.column_stack([own.real, np.full(count, up), own.imag])
             continue
-        angle = graph.direction[nodes] * np.arange(b - a) * (2.0 * math.pi / (b - a))
+        angle = graph.direction[nodes] * np.arange(count) * (2.0 * math.pi / count)
         turn = np.exp(1j * (np.arctan2(stand[:, 2] - centre[2], stand[:, 0] - centre[0]) - angle)).sum()
         angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)
         place = centre + np.array([0.0, -up if inside[a] else up, 0.0])
-        if b - a > 1:
+        if count > 1:
             place = forks.clear(k, below, place, radius, part)
-        x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
-    for part in np.flatnonzero(in_rows(graph)).tolist():
+        x[nodes, 0], x[nodes, 1] = place[0] + radius * np.cos(angle), place[1]
+        x[nodes, 2] = place[2] + radius * np.sin(angle)
+    for part in np.flatnonzero(rows).tolist():
         if part not in known and part not in copied:
             rolls.roll(graph, x, part)
     for part, one in copied.items():
@@ -203,6 +209,10 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             while len(_laid) > _KEPT:
                 _laid.pop(next(iter(_laid)), None)
     return x
+
+
+def _middle(points: Array) -> Array:
+    return np.add.reduce(points) / len(points)
 
 
 _laid: dict[bytes, Array] = {}

@@ -22,8 +22,7 @@ def lids(faces: Array, face_part: Array, n: int) -> tuple[Array, Array, Array, A
         a, b = faces[mine].ravel().astype(np.int64), turned[mine].ravel().astype(np.int64)
         key = np.minimum(a, b) * n + np.maximum(a, b)
         pair, where = np.unique(key, return_inverse=True)
-        net = np.zeros(len(pair), np.int64)
-        np.add.at(net, where, np.where(a < b, 1, -1))
+        net = 2 * np.bincount(where[a < b], minlength=len(pair)) - np.bincount(where, minlength=len(pair))
         after: dict[int, list[int]] = {}
         for k in np.flatnonzero(net):
             low, high = divmod(int(pair[k]), n)

@@ -40,7 +40,12 @@ def plainly(hook: Hook, look: int, times: int) -> None:
         ends.append(len(anchors))
         if now.starting:
             hook.rise(node, path)
-        strip(faces, stretches, stretch, forward, path, node)
+        a = path[0]
+        for b in path[1:]:  # as strip does, which a call a stitch would cost
+            if a != b:
+                faces.append((b, a, node) if forward else (a, b, node))
+                stretches.append(stretch)
+            a = b
         front.append(node)
         now.left -= 1
         hook.ahead -= 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -410,6 +410,12 @@ class Spots:
         if spot.stitch is not None and counts and spot.stitch >= max(counts) + 1:
             message = f'round {spot.round:g} of "{spot.part}" has {max(counts)} stitches, not {spot.stitch:g}'
             yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
+
+
+@lru_cache(maxsize=2)
+def spots_in(built: Built) -> Spots:
+    """The spots of ``built``, found once for all who ask one after the other while it is read."""
+    return Spots(built)
 
 
 def whole(graph: StitchGraph, part: int) -> tuple[int, int]:

@@ -38,6 +38,7 @@ class Stitch:
     inner : of what stitches, and how often each in a row, a group worked into one place is made
     approximate : what its node in the graph leaves out, "" when nothing
     nodes : that it makes; makes : those of them that are stitches of the round; takes : anchors it uses up (the one that it ends on counts when yarn was pulled through)
+    pulls : whether yarn is pulled through an anchor at all
     """
 
     name: str
@@ -49,6 +50,7 @@ class Stitch:
     nodes: int = field(init=False, repr=False, compare=False)
     makes: int = field(init=False, repr=False, compare=False)
     takes: int = field(init=False, repr=False, compare=False)
+    pulls: bool = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         passed, touched = 0, False
@@ -61,6 +63,7 @@ class Stitch:
         object.__setattr__(self, "nodes", sum(m.what == OVER for m in self.moves))
         object.__setattr__(self, "makes", 0 if aside else self.nodes)
         object.__setattr__(self, "takes", 0 if aside else passed + touched)
+        object.__setattr__(self, "pulls", any(m.what in (THROUGH, JOIN) for m in self.moves))
 
     @property
     def fits_in_one(self) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import Spots, spots_in
 from tambour.crochet.places.names import Made
 
 _TOGETHER: Final = re.compile(
@@ -32,7 +32,7 @@ _FACES: Final = ({"front", "back"},)
 
 def halves(built: Built) -> list[tuple[int, int]]:
     """The parts of built, by number, that are sewn together all round: the front one first."""
-    pattern, spots = built.pattern, Spots(built)
+    pattern, spots = built.pattern, spots_in(built)
     text = pattern.text.text.lower()
     if not _TOGETHER.search(text) or not re.search(r"\bstuff|\bfiber\s?fil", text):
         return []
@@ -113,7 +113,7 @@ def joined(built: Built) -> Built:
     pairs = halves(built)
     if not pairs:
         return built
-    spots, graph = Spots(built), built.graph
+    spots, graph = spots_in(built), built.graph
     sewn = [(int(a), int(b)) for a, b in built.sewn.tolist()]
     hook = copy.copy(built.hook)
     behind = set()

@@ -11,7 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import Spots, spots_in
 from tambour.crochet.places.names import SIDED, Made
 
 _EDGING: Final = re.compile(r"\s*edging$", re.IGNORECASE)
@@ -72,7 +72,7 @@ def limbs(built: Built, spots: Spots) -> list[tuple[int, Array]]:
 
 def onward(built: Built) -> list[tuple[int, tuple[int, ...]]]:
     """Parts that go on from the edges of others: (part, those it goes on from); a body from two legs, or legs from a body."""
-    spots = Spots(built)
+    spots = spots_in(built)
     rims = {k: spots.rim(k) for k in range(len(built.graph.parts)) if not spots.in_rows[k]}
     begun = {k: spots.begun(k) for k in rims}
     found: list[tuple[int, tuple[int, ...]]] = []
@@ -113,7 +113,7 @@ def _near(one: int, other: int) -> bool:
 
 def worked_on(built: Built) -> Built:
     """``built`` with what goes on from the edges of others joined to them, stitch by stitch."""
-    spots, sewn = Spots(built), [(int(a), int(b)) for a, b in built.sewn.tolist()]
+    spots, sewn = spots_in(built), [(int(a), int(b)) for a, b in built.sewn.tolist()]
     later = limbs(built, spots)
     found = [pair for pair in onward(built) if pair[0] not in {k for k, _ in later}]
     if not found and not later:

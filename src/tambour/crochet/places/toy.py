@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.tree import Worn
 from tambour.crochet.places.hear import Copy
@@ -67,7 +67,7 @@ class Toy:
 
     def __init__(self, built: Built, stitch: float, eye: float | None, names: list[str]) -> None:
         self.built, self.stitch, self.eye = built, stitch, eye
-        self.spots = Spots(built)
+        self.spots = spots_in(built)
         self.stand = Stand(self.spots)
         named = [
             Made(p.name, p.copies) for p in built.pattern.parts if f"{p.name}.1" in self.spots.parts and p.name in names

@@ -12,7 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.places.names import Made
 
 _SEWN: Final = r"[^.\n]{0,80}\b(?:tog(?:ether)?\b|to form (?:a )?tube|to form (?:a )?ring|seam)"
@@ -58,7 +58,7 @@ def closed(built: Built) -> Built:
 
 def tubes(built: Built) -> list[tuple[int, int]]:
     """Pairs of nodes, the later first, that are sewn together where the text closes a piece in rows to a tube and stuffs it."""
-    pattern, spots = built.pattern, Spots(built)
+    pattern, spots = built.pattern, spots_in(built)
     text = pattern.text.text.lower()
     starts = sorted(p.span.start for p in pattern.parts)
     found: list[tuple[int, int]] = []

@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.parts import Draft
@@ -150,7 +150,7 @@ def _meant(parts: list[Draft], noun: str, rank: str) -> Draft | None:
 
 def hang(built: Built, held: Sequence[Held]) -> list[Placed]:
     """Where the parts hang that are crocheted in: each on the stitches that go through both, its end along them."""
-    spots, graph, made = Spots(built), built.graph, list[Placed]()
+    spots, graph, made = spots_in(built), built.graph, list[Placed]()
     taken: dict[str, set[int]] = {}
     through: set[int] = set()
     first = {f.section: k for k, f in reversed(list(enumerate(built.parts)))}

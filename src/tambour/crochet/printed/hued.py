@@ -9,7 +9,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.language.tree import Action, Line, Pattern, Section
 from tambour.crochet.places.names import kind_of, one
@@ -116,7 +116,7 @@ def _dyes(line: Line) -> bool:
 def layered(built: Built) -> list[Placed]:
     """Records of copies that lie on those of another colour, the second on the first, where the text works or sews both together."""
     pattern: Pattern = built.pattern
-    text, spots, made = pattern.text.text, Spots(built), list[Placed]()
+    text, spots, made = pattern.text.text, spots_in(built), list[Placed]()
     starts = sorted({p.span.start for p in pattern.parts})
     for under, over in zip(pattern.parts, pattern.parts[1:]):
         kind = next((kind_of(one(w)) for w in reversed(re.findall(r"[^\W\d_]+", under.heading.lower()))), "")

@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
@@ -93,7 +93,7 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
 
 def hang_on(built: Built, hung: list[Hung]) -> list[Placed]:
     """Their records: all round on the stitches of that round, by their first."""
-    spots, made = Spots(built), list[Placed]()
+    spots, made = spots_in(built), list[Placed]()
     for one_ in hung:
         part, onto = one_.part.name, one_.owner.name
         if part not in spots.parts or onto not in spots.parts:
