@@ -9,6 +9,7 @@ from tambour.crochet.printed.tokens import Token
 _TALL: Final = ("sc", "hdc", "dc", "tr")
 _BETWEEN: Final = (",", "+")
 _CORNERS: Final = ("corner", "corners")
+PLACES: Final = frozenset(("space", *_CORNERS))
 
 
 def grouped(tokens: list[Token]) -> list[Token]:

@@ -15,6 +15,7 @@ _BOTH: Final = frozenset("both two 2 beide beiden deux ambos ambas dos zwei twee
 _LAYERS: Final = frozenset(
     "layers layer sides edges walls halves thicknesses lagen lage zijden kanten épaisseurs côtés bords capas lados lagen schichten seiten".split()
 )
+LAYERS: Final = _LAYERS | {"thicknesses"}
 _STOPS: Final = (".", ";", "!", ":")
 _FURTHEST: Final = 8  # words between the stitches and the layers
 

@@ -8,11 +8,12 @@ from typing import Final
 
 from tambour.crochet.printed.tokens import Token
 
-_LOOPS: Final = frozenset(("back loops", "front loops", "both loops"))
+LOOPS: Final = frozenset(("back loops", "front loops", "both loops"))
 _OPEN: Final = frozenset("([{")
 _ENDS: Final = frozenset((",", ".", ";", ":", "(", "[", ")", "]", "="))
 _UNTIL: Final = frozenset(("until", "till"))
 _REST: Final = frozenset(("rest", "rest of", "remainder"))
+LEFT_OVER: Final = _UNTIL | _REST | {"with"}
 _LEFT: Final = frozenset(("remain", "remains", "remaining", "rem", "left", "are", "is", "unworked"))
 _EVENLY: Final = frozenset("evenly spaced apart around across in this the round rnd row".split())
 _SHAPED: Final = frozenset("inc incs increase increases increasing dec decs decrease decreases decreasing".split())
@@ -21,11 +22,9 @@ _UNITS: Final = frozenset("st sts stitch stitches sc times time x more".split())
 _PLAIN: Final = frozenset(("sc", "hdc", "dc", "tr", "slst"))
 
 
-def put(tokens: list[Token]) -> list[Token]:
-    """Words as read, with loops and rests as most patterns say them."""
-    values = {t.value for t in tokens if t.kind == "key"}
-    made = _postposed(_fronted(tokens)) if not values.isdisjoint(_LOOPS) else tokens
-    return _rests(_together(_named(_nth(_counted(_anywhere(made))))))
+def looped(tokens: list[Token]) -> list[Token]:
+    """Words as read, with loops as most patterns say them."""
+    return _postposed(_fronted(tokens)) if any(t.kind == "key" and t.value in LOOPS for t in tokens) else tokens
 
 
 def _key(at: Token, word: str, value: str) -> Token:
@@ -39,7 +38,7 @@ def _fronted(tokens: list[Token]) -> list[Token]:
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 5]
-        looped = token.kind == "key" and token.value in _LOOPS
+        looped = token.kind == "key" and token.value in LOOPS
         if looped and made and made[-1].kind == "number" and after and after[0].kind == "stitch":
             made += [after[0], token]
             at += 2
@@ -50,14 +49,14 @@ def _fronted(tokens: list[Token]) -> list[Token]:
             made.append(token)  # "in the back loop of each stitch, sc around"
             at += 3
             continue
-        if token.word == "again" and made and made[-1].value in _LOOPS:
+        if token.word == "again" and made and made[-1].value in LOOPS:
             at += 1
             continue
         if (
             token.value == "as"
             and after
             and after[0].word in ("usual", "normal")
-            and any(t.value in _LOOPS for t in made)
+            and any(t.value in LOOPS for t in made)
         ):
             made += [_key(token, "in", "in"), _key(token, "both loops", "both loops")]
             at += 2
@@ -66,9 +65,7 @@ def _fronted(tokens: list[Token]) -> list[Token]:
             made += [token, Token("mark", ":", token.end, token.end)]  # "in BLO sc 9", "in both loops 6 sc"
             at += 1
             continue
-        inside = (
-            token.word in _OPEN and len(after) > 1 and after[0].value in _LOOPS and after[1].word in (")", "]", "}")
-        )
+        inside = token.word in _OPEN and len(after) > 1 and after[0].value in LOOPS and after[1].word in (")", "]", "}")
         if inside and made and (made[-1].kind != "mark" or made[-1].word in (")", "]")):
             made.append(after[0])
             at += 3
@@ -91,7 +88,7 @@ def _postposed(tokens: list[Token]) -> list[Token]:
     for k, token in enumerate(tokens):
         made.append(token)
         ends = k + 1 == len(tokens) or tokens[k + 1].word in _ENDS
-        if token.kind != "key" or token.value not in _LOOPS or not ends:
+        if token.kind != "key" or token.value not in LOOPS or not ends:
             continue
         cut = len(made) - 1
         while cut and (made[cut - 1].value == "in" or (made[cut - 1].value == "each" and made[cut - 1].word == "all")):
@@ -103,12 +100,12 @@ def _postposed(tokens: list[Token]) -> list[Token]:
         if before.value in ("stitch", "around", "end"):
             begin = next((n for n in range(cut - 1, -1, -1) if made[n].word in _ENDS), -1) + 1
             stitches = [n for n in range(begin, cut) if made[n].kind == "stitch"]
-            if len(stitches) == 1 and not any(t.value in _LOOPS for t in made[begin:cut]):
+            if len(stitches) == 1 and not any(t.value in LOOPS for t in made[begin:cut]):
                 at = stitches[0] + 1
                 if at < cut:  # else the stitches stand right before it
                     grown = [_key(token, "in", "in")] if made[at].value in ("next", "each", "first", "last") else []
                     made = [*made[:at], *grown, token, *made[at:cut]]
-        elif (opens := _repeat(made, cut)) is not None and not any(t.value in _LOOPS for t in made[opens:cut]):
+        elif (opens := _repeat(made, cut)) is not None and not any(t.value in LOOPS for t in made[opens:cut]):
             inner = [[t, token] if t.kind == "stitch" else [t] for t in made[opens:cut]]
             made = [*made[:opens], *(t for some in inner for t in some)]
     return made
@@ -130,7 +127,7 @@ def _repeat(tokens: list[Token], end: int) -> int | None:
     return None
 
 
-def _anywhere(tokens: list[Token]) -> list[Token]:
+def anywhere(tokens: list[Token]) -> list[Token]:
     """``join B in 13th sc of previous round`` as "join B in any st": a round that begins elsewhere goes all around too."""
     for k in range(2, len(tokens) - 3):
         at, named = tokens[k], tokens[k + 1]
@@ -150,7 +147,7 @@ def _anywhere(tokens: list[Token]) -> list[Token]:
     return tokens
 
 
-def _counted(tokens: list[Token]) -> list[Token]:
+def counted(tokens: list[Token]) -> list[Token]:
     """``— 24 sts Stuff the head`` with the point that its count lacks."""
     for k in range(1, len(tokens) - 3):
         if tokens[k].word == "-" and tokens[k + 1].kind == "number" and tokens[k + 2].value in ("stitch", "sc"):
@@ -166,7 +163,7 @@ def _counted(tokens: list[Token]) -> list[Token]:
     return tokens
 
 
-def _nth(tokens: list[Token]) -> list[Token]:
+def nth(tokens: list[Token]) -> list[Token]:
     """``sc in every 3rd st`` as "(2 skip, sc) repeat around"."""
     for k, token in enumerate(tokens[:-3]):
         said = tokens[k + 1 : k + 6]
@@ -199,7 +196,7 @@ def _nth(tokens: list[Token]) -> list[Token]:
     return tokens
 
 
-def _named(tokens: list[Token]) -> list[Token]:
+def named(tokens: list[Token]) -> list[Token]:
     """``(white) 6 sc, (red) 6 sc`` without its brackets."""
     found = [
         k
@@ -215,7 +212,7 @@ def _named(tokens: list[Token]) -> list[Token]:
     return [t for k, t in enumerate(tokens) if k not in drop] if drop else tokens
 
 
-def _together(tokens: list[Token]) -> list[Token]:
+def together(tokens: list[Token]) -> list[Token]:
     """``1 sc and 1 hdc in next st`` with brackets about both."""
     for k in range(len(tokens) - 6):
         some = tokens[k : k + 8]
@@ -226,14 +223,13 @@ def _together(tokens: list[Token]) -> list[Token]:
         if one and (not k or tokens[k - 1].word in _ENDS):
             opens, closes = (Token("mark", sign, t.start, t.start) for sign, t in (("(", some[0]), (")", some[5])))
             comma = Token("mark", ",", some[2].start, some[2].end)
-            return [*tokens[:k], opens, *some[:2], comma, *some[3:5], closes, *_together(tokens[k + 5 :])]
+            return [*tokens[:k], opens, *some[:2], comma, *some[3:5], closes, *together(tokens[k + 5 :])]
     return tokens
 
 
-def _rests(tokens: list[Token]) -> list[Token]:
+def rests(tokens: list[Token]) -> list[Token]:
     """``until 2 sts remain`` as "to last 2 sts", ``sc in the rest`` as "sc to end", ``with 2 sc in last st`` as it is said of an end."""
-    words = {t.word for t in tokens}
-    if words.isdisjoint(_UNTIL | _REST | {"with"}):
+    if not any(t.word in LEFT_OVER for t in tokens):
         return tokens
     made: list[Token] = []
     at = 0

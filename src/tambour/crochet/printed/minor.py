@@ -14,19 +14,21 @@ _LISTED: Final = frozenset((",", ";", ".", ":", "(", "[", "*"))
 _TALL: Final = frozenset(("hdc", "dc", "tr"))
 _MADE_OF: Final = frozenset(("of", "with", "using", "made", "worked", "from", "consisting", "stitch"))
 _MOST: Final = 12  # stitches of a bump
+_TWO: Final = 5  # words of two entries of a count, and the sign between them
 _HEAPS: Final = frozenset(("bobble", "popcorn", "puff", "cl"))
 _PUT: Final = frozenset(("insert", "place", "put", "attach", "add"))
 _BUMPS: Final = frozenset("thumb thumbs nose heel toe finger tail ear eye cheek".split())  # what a stitch stands for
 _ENDS: Final = frozenset((",", ".", ";", "(", "[", ")"))
 _WORK: Final = frozenset(("the", "your", "work", "here", "now", "again", "over"))
 _CLOSING: Final = frozenset(("worked", "for"))
+SAYING: Final = frozenset("turn more light not per skipping over leave eyes".split()) | _CLOSING | _HEAPS
+"""Words of which a line has one where something may be left out, or put otherwise."""
 
 
 def plainer(tokens: list[Token]) -> list[Token]:
     """Words as read, without what says nothing more, and in one order."""
     made: list[Token] = []
     at = 0
-    tokens = _summed(_listed(tokens))
     while at < len(tokens):
         token = tokens[at]
         if (end := _turned(tokens, at)) > at:
@@ -45,7 +47,7 @@ def plainer(tokens: list[Token]) -> list[Token]:
             continue
         made.append(token)
         at += 1
-    return _often(made)
+    return made
 
 
 def _turned(tokens: list[Token], at: int) -> int:
@@ -163,7 +165,7 @@ def _heap(many: object) -> bool:
     return isinstance(many, int) and 2 <= many <= _MOST
 
 
-def _listed(tokens: list[Token]) -> list[Token]:
+def listed(tokens: list[Token]) -> list[Token]:
     """``8 sc; 2 inc; 8 sc`` with commas."""
     at = [k for k, t in enumerate(tokens) if t.word == ";"]
     if len(at) < 2:
@@ -175,15 +177,17 @@ def _listed(tokens: list[Token]) -> list[Token]:
     return [replace(t, word=",") if t.word == ";" else t for t in tokens]
 
 
-def _summed(tokens: list[Token]) -> list[Token]:
+def summed(tokens: list[Token]) -> list[Token]:
     """A count that names things first, ``- 1 thumb and 8 sc``, with its stitches first, and one that tells the round over, ``8 sc = 1 bobble + 8 sc``,
     ``bobble, 8 sc (1 bobble, 8 sc)``, as their sum."""
     end = len(tokens) - (bool(tokens) and tokens[-1].word == ".")
     closed = end > 0 and tokens[end - 1].word in (")", "]")
     signs = ("(", "[") if closed else ("-", "=")
     at = next((k for k in range(end - 2, 1, -1) if tokens[k].word in signs), 0)
+    if not at or end - closed - at <= _TWO:
+        return tokens
     entries: list[list[Token]] = [[]]
-    for token in tokens[at + 1 : end - closed] if at else []:
+    for token in tokens[at + 1 : end - closed]:
         if token.word in (",", "+", "&") or token.value == "and":
             entries.append([])
         else:
@@ -213,7 +217,7 @@ def _summed(tokens: list[Token]) -> list[Token]:
     return [*tokens[: at + 1], *listed, *tokens[end:]]
 
 
-def _often(tokens: list[Token]) -> list[Token]:
+def often(tokens: list[Token]) -> list[Token]:
     """``sc 8, inc (2 times)``, ``sc 8, inc [x2]``, ``sc 8, inc (rep around)`` with the stitches in brackets, and ``sc 8, inc, repeat once`` as "1 more time"."""
     for k, token in enumerate(tokens):
         once = tokens[k + 1] if k and token.value == "repeat" and k + 1 < len(tokens) else token

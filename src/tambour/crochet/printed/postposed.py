@@ -118,6 +118,8 @@ def made_number(token: Token) -> bool:
 
 
 _BACK: Final = frozenset("return returning back".split())
+SAYING: Final = frozenset(("next", "ch", "times", "repeat")) | _BACK | _OF
+"""Words of which a line has one where its order may be another."""
 _LONGEST: Final = 20  # words of a sentence about a chain
 
 

@@ -6,23 +6,17 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Final
 
-from tambour.crochet.printed import inner
 from tambour.crochet.printed.cursor import OPEN
-from tambour.crochet.printed.folded import shut
-from tambour.crochet.printed.minor import plainer
-from tambour.crochet.printed.postposed import put_before
-from tambour.crochet.printed.spread import spread
 from tambour.crochet.printed.tokens import Row, Token
 
 _PLAIN: Final = ("sc", "hdc", "dc", "tr")
 _MOST: Final = 6  # stitches in one: "5dc1"
 
 
-def plain(tokens: list[Token]) -> list[Token]:
+def grown(tokens: list[Token]) -> list[Token]:
     """Words as read, with "sc twice in next st" as "2 sc in next st" and "2sc6" as "2 sc in each of next 6 sts"."""
     made: list[Token] = []
     at = 0
-    tokens = shut(put_before(spread(inner.put(plainer(_had(_grouped(_singles(_apart(tokens)))))))))
     while at < len(tokens):
         token = tokens[at]
         after = tokens[at + 1 : at + 4]
@@ -44,14 +38,12 @@ def plain(tokens: list[Token]) -> list[Token]:
     return made
 
 
-def _apart(tokens: list[Token]) -> list[Token]:
+def apart(tokens: list[Token]) -> list[Token]:
     """Stitches with commas between them for other signs, "sc-inc", "2 sc + inc", "sc/dec"."""
-    if _BETWEEN.isdisjoint({t.word for t in tokens}):
-        return tokens
     made = list(tokens)
     listed = False
     for k in range(1, len(tokens) - 1):
-        if tokens[k].word not in _BETWEEN or tokens[k - 1].kind != "stitch":
+        if tokens[k].word not in BETWEEN or tokens[k - 1].kind != "stitch":
             continue
         behind = tokens[k + 1 : k + 3]
         counted = len(behind) == 2 and behind[0].kind == "number" and behind[1].kind == "stitch"
@@ -65,15 +57,13 @@ def _apart(tokens: list[Token]) -> list[Token]:
     return made
 
 
-_BETWEEN: Final = frozenset("-/+")
+BETWEEN: Final = frozenset("-/+")
 _PAST: Final = frozenset((".", ";", "(", "[", "*", "**"))
 """Behind a number of stitches these end the sentence."""
 
 
-def _singles(tokens: list[Token]) -> list[Token]:
+def singles(tokens: list[Token]) -> list[Token]:
     """Numbers that stand alone beside increases and decreases, "(3, inc) x 6", "4, dec, 5, dec", with the single crochets that they count."""
-    if "," not in {t.word for t in tokens}:
-        return tokens
     made: list[Token] = []
     for k, token in enumerate(tokens):
         made.append(token)
@@ -89,7 +79,7 @@ def _singles(tokens: list[Token]) -> list[Token]:
     return made
 
 
-def _grouped(tokens: list[Token]) -> list[Token]:
+def grouped(tokens: list[Token]) -> list[Token]:
     """``sc, inc x 6 (18)`` with its brackets, where only all of it so often makes the round's own count."""
     tail = len(tokens) - 3
     if tail < 5 or tokens[tail].word != "(" or tokens[tail + 1].kind != "number" or tokens[-1].word != ")":
@@ -145,7 +135,7 @@ _SHAPED: Final = ("inc", "dec")
 _BEFORE: Final = (",", "(", "[", ":", "*")
 
 
-def _had(tokens: list[Token]) -> list[Token]:
+def had(tokens: list[Token]) -> list[Token]:
     """A round without the sentence that only says what there is then, "You have 8 curly tentacles (16 sl sts on the head)", but for its count."""
     at = next(
         (k for k in range(2, len(tokens) - 2) if tokens[k].word == "have" and tokens[k - 1].word in (".", "!")), 0
@@ -227,6 +217,7 @@ def _from_hook(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
 
 
 _ALIKE: Final = frozenset(("unchanged", "alike"))
+SAYING: Final = frozenset(("hook", "twice", "times")) | _ALIKE
 
 
 def _often(after: list[Token]) -> tuple[int, int] | None:

@@ -13,6 +13,7 @@ _LEADS: Final = frozenset(
 _SIDES: Final = frozenset(
     "other opposite bottom underside under lower free unused remaining backside reverse second".split()
 )
+SIDES: Final = _SIDES | {"side"}
 _CHAINS: Final = frozenset(
     "chain chains foundation starting beginning initial base original first side loops loop edge".split()
 )

@@ -8,12 +8,9 @@ from functools import lru_cache
 from typing import Any, Final
 
 from tambour.crochet.language.stitches import STITCHES, standard
-from tambour.crochet.printed.corners import grouped
-from tambour.crochet.printed.hooks import unsized
 from tambour.crochet.printed.inner import evened
-from tambour.crochet.printed.shorthand import plain
+from tambour.crochet.printed.passes import plain
 from tambour.crochet.printed.tokens import Token, rows
-from tambour.crochet.printed.underside import plainly_put
 from tambour.crochet.words.table import TERMS, Heard
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
@@ -150,7 +147,7 @@ class Vocabulary:
         place = (tokens[0].start, tokens[-1].end, len(tokens))
         known = self._read.get(place)
         if known is None or known[0] != tokens:
-            made = plainly_put(grouped(unsized(plain(self._phrased(evened(tokens))))))
+            made = plain(self._phrased(evened(tokens)))
             known = self._read[place] = (list(tokens), made)
         return list(known[1])
 
