@@ -144,3 +144,16 @@ def test_a_floor_is_darkest_where_a_thing_touches_it() -> None:
     assert middle < 0.9 * (1 - TOUCHES[0][1]) + 0.1
     assert (abs(made[80, 80 + int(2 * (40 * 40.0 * TOUCHES[1][0] * 3) ** 0.5) :, 0] - 0.9) < 0.05).all()
     assert touched(share, plot, np.zeros((0, 3)), 1.0)[0].min() == pytest.approx(0.9)
+
+
+def test_the_table_is_seen_through_the_holes_of_what_lies_flat() -> None:
+    """A granny square is a hundred times as wide as it is near to its table: its holes were as black as the gap under a toy."""
+    from tambour.render.light import touched
+
+    share, plot = np.full((120, 120, 3), 0.9), np.array([-60.0, -60.0, 1.0])
+    x, z = np.meshgrid(np.linspace(-35, 35, 141), np.linspace(-35, 35, 141))
+    there = np.hypot(x, z) > 3.0  # a hole
+    flat = np.stack([x[there], 2.0 + 2.0 * np.sin(x[there]), z[there]], axis=1)
+    made, _ = touched(share, plot, flat, 100.0)
+    assert made[120, 120, 0] > 0.8
+    assert made[110:130, 126:134].min() < 0.5  # and dark where it touches

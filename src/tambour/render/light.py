@@ -21,6 +21,8 @@ from tambour.render.cover import cover, turn
 TOUCHES: Final = ((0.012, 0.85, 1.0), (0.055, 0.7, 0.6))
 """How high a gap under a thing is, in its sizes, that a third as much light gets into; what part of it is kept out where it stands; how
 far that reaches beside it, in gaps. Where it touches, and close above: without the second what stands on few places hovers."""
+FLAT: Final = 2.5
+"""A thing's size is so many times its height at the most where its gap is asked for: under what lies flat there is none, and its holes show the table."""
 GOLDEN = pi * (3 - sqrt(5))
 
 
@@ -260,6 +262,7 @@ def touched(share: Array, plot: Array, points: Array, size: float) -> tuple[Arra
     step = 0.5 * float(plot[2])
     plot = np.array([plot[0], plot[1], step])
     height = points[:, 1] - points[:, 1].min() if len(points) else np.zeros(0)
+    size = max(min(size, FLAT * float(height.max(initial=0.0))), 1e-9)
     for share_of, kept, beside in TOUCHES:
         deep = share_of * size
         low = np.flatnonzero(height < 4.0 * deep)
