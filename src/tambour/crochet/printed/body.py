@@ -16,6 +16,7 @@ from tambour.crochet.printed.motifs import as_they_come, begun, gathered
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds
 from tambour.crochet.printed.repeats import bracket, more_times, star
+from tambour.crochet.printed.standing import turned
 from tambour.crochet.printed.stitch import bump, room, spread, stitch
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.printed.trade import ENDS, Trade
@@ -346,6 +347,8 @@ class Walk(Trade):
             return False
         if action.name == "fold" and not action.labels:
             self.folded(found, action)
+        elif action.name == "turn":
+            turned(self, found, action)
         else:
             found.append(action)
         c.at = end

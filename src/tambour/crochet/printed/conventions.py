@@ -10,6 +10,7 @@ from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.lines import turning
+from tambour.crochet.printed.looped import LOOPS, MOST, Loops, rule
 from tambour.crochet.printed.remarks import yarned
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -17,10 +18,7 @@ from tambour.crochet.printed.tokens import Token
 _COURSE: Final = frozenset(
     "spiral spirals continuous continuously joined worked rounds rnds rows seam seamless".split()
 )
-_WHOLE: Final = frozenset(("all", "every", "throughout", "remaining", "rem", "entire", "whole"))
 _BARE: Final = 3  # words of "Work in back loops only", said before the first round
-_LOOPS: Final = {"front loops": "flo", "back loops": "blo"}
-
 
 _LED: Final = re.compile(r"(?:^|[.;:!?(]|\n[ \t]*\n)[^.;:!?()]*$")
 _TURN: Final = re.compile(r"\bturn(?:s|ed|ing)?\b", re.IGNORECASE)
@@ -64,8 +62,9 @@ def convention(p: State, tokens: list[Token]) -> bool:
         return True
     words = {t.word for t in tokens}
     keys = {t.value for t in tokens if t.kind == "key"}
-    if not p.parts and p.heading is None and "each" in keys and "round" in keys and (looped := keys & set(_LOOPS)):
-        p.always = _LOOPS[looped.pop()]  # "Every round here is worked in the back loop only"
+    looped = _looped(tokens)
+    if not p.parts and p.heading is None and looped is not None and "round" in keys:
+        p.always = looped  # "Every round here is worked in the back loop only"
         return True
     if p.mode in ("materials", "abbreviations"):
         return False
@@ -87,11 +86,12 @@ def convention(p: State, tokens: list[Token]) -> bool:
     plain = not any(works(tokens, k) for k in range(len(tokens))) and not any(
         t.kind == "number" or (t.kind == "ordinal" and t.word[0].isdigit()) for t in tokens
     )
-    loops = next((_LOOPS[t.value] for t in tokens if t.kind == "key" and t.value in _LOOPS), None)
-    if loops is not None:
+    loop = next((LOOPS[t.value] for t in tokens if t.kind == "key" and t.value in LOOPS), None)
+    if loop is not None:
         ahead = p.heading is not None or not p.parts or not p.parts[-1].last  # before the first round of a part
-        bare = len(tokens) <= _BARE and ahead and not p.palette.pure
-        return plain and (bare or bool(words & _WHOLE) or bool(keys & {"rest", "each"})) and _throughout(p, loops)
+        if plain and looped is None and len(tokens) <= _BARE and ahead and not p.palette.pure:
+            looped = Loops(loop)
+        return looped is not None and _throughout(p, looped)
     if plain and words & _COURSE and ("round" in keys or "row" in keys or {"spiral", "spirals"} & words):
         said = not {"repeat", "as", "same"} & keys or ("as" in keys and "follows" in words)
     else:
@@ -101,10 +101,24 @@ def convention(p: State, tokens: list[Token]) -> bool:
     return said
 
 
-def _throughout(p: State, loops: str) -> bool:
+def in_loops(p: State, tokens: list[Token]) -> bool:
+    """Remembers what a sentence that begins with rounds' numbers says of their loops, "Rounds 3-5 are worked in BLO"; whether it does."""
+    looped = _looped(tokens)
+    return looped is not None and _throughout(p, looped)
+
+
+def _looped(tokens: list[Token]) -> Loops | None:
+    """The rule for loops that a sentence says, which works nothing itself."""
+    named = any(t.kind == "key" and t.value in LOOPS for t in tokens)
+    return rule(tokens) if named and not any(works(tokens, k) for k in range(len(tokens))) else None
+
+
+def _throughout(p: State, loops: Loops) -> bool:
     """Remembers the loops that the rest of a part is worked into."""
     if p.heading is not None or not p.parts:
         p.early["loops"] = loops
+    elif all(n not in loops.which for n in range(p.parts[-1].last + 1, MOST)):
+        return False  # of rounds that stand before it
     else:
         p.parts[-1].loops = loops
     return True

@@ -39,6 +39,10 @@ READINGS: Final = {
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
 
+_PLAIN: Final = r"\b(?:sc|hdc|dc|tr) in (?:the )?next (\d+) (?:sc|hdc|dc|tr|sts?|stitches)\b"
+_BARE: Final = re.compile(rf"(?<![\d\w] ){_PLAIN}")
+_SAME: Final = re.compile(rf"\b(\d+) {_PLAIN}")
+_MANY: Final = 4  # "4 sc in next 4 sts" is one in each: nobody makes sixteen of four
 _BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto", "edge", "tospace")
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
 
@@ -49,6 +53,14 @@ _TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
 _QUIET: Final = frozenset(
     ("one", "all", "once", "pair", "stands", "places", "passed")
 )  # usual enough not to be asked about when no count is stated
+
+
+def numbered_each(words: str) -> bool:
+    """Whether a text writes one stitch in each of several without a number, "sc in next 8 sts", and never "8 sc in next 8 sts", so that its
+    "2 dc in next 2 sts" is two in each."""
+    words = " ".join(words.lower().split())
+    same = [int(m[1]) for m in _SAME.finditer(words) if m[1] == m[2]]
+    return sum(int(m[1]) > 1 for m in _BARE.finditer(words)) > 1 and all(n < _MANY for n in same)
 
 
 def decided(
@@ -94,6 +106,8 @@ def decided(
         if long > 1 and not body.sides and (turned := both_sides(body.items, long, source.stitches)):
             body.items, body.turned = turned
             body.sides, base, body.hook = True, long, body.hook or 2
+        if body.sides and base is None and chain is not None and chain > 2 and not body.hook:
+            base, body.hook = chain - 1, 2  # "4 sc, 3 sc in last ch, other side: 3 sc, inc"
         if body.sides and base is not None:
             along(body, base, source.stitches)
         if edge and unworked:

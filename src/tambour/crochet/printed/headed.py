@@ -33,7 +33,7 @@ from tambour.crochet.printed.put import ended, finishing, sews, stuffed
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import worked as stitches_of
 from tambour.crochet.printed.remarks import remark
-from tambour.crochet.printed.reworked import again
+from tambour.crochet.printed.reworked import again, allotted
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.stripes import lay, planned, without
 from tambour.crochet.printed.tokens import Token
@@ -182,7 +182,8 @@ class Headed(State):
             if draft.offset and read.refers.numbers and read.refers.numbers[0] + draft.offset <= draft.last:
                 numbers = tuple(n + draft.offset for n in read.refers.numbers)
                 read.refers = replace(read.refers, numbers=numbers)
-            if not (again(self, draft, head, read, span) or anew(self, draft, head, read, span)):
+            shared = allotted(draft, head, [read.refers, *read.more])
+            if not (again(self, draft, shared[0] or head, read, span) or anew(self, draft, head, read, span)):
                 at = Token("mark", "", read.refers.span.start, read.refers.span.end)
                 lacking = NotUnderstood(
                     at, "these rounds are not there to be repeated", "name rounds that stand before this"
@@ -231,7 +232,7 @@ class Headed(State):
             self.end_marks(draft)
         for k, more in enumerate(read.more):
             behind = Body([hue for at, hue in read.between if at == k], refers=more)
-            if not again(self, draft, None, behind, more.span):
+            if not again(self, draft, shared[k + 1] if read.refers is not None else None, behind, more.span):
                 self.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
                 draft.sure = False
         draft.lines += [Line((hue,), span, False) for at, hue in read.between if at == len(read.more)]

@@ -210,8 +210,11 @@ def list_of_numbers(c: Cursor, numbers: list[int], several: bool = False) -> boo
         counted = (
             after is not None and after.kind in ("stitch", "number") and not c.key("times", "more", ahead=ahead + 2)
         )
-        if last is None or (listed and not named and counted and not (several and len(numbers) == 1)):
+        often = c.key("times", "more", ahead=ahead + 1) and listed and not named  # "Rounds 6 and 7, 2 more times"
+        if last is None or often or (listed and not named and counted and not (several and len(numbers) == 1)):
             return True
+        if named and last <= numbers[-1]:
+            return True  # "Rounds 6-8, then Rounds 6 and 7"
         if ranged and not named and last <= numbers[-1]:
             return True  # "R7 - 6 sc": a dash, then the body
         if (

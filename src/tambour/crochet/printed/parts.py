@@ -24,6 +24,7 @@ from tambour.crochet.printed.items import (
     slips_only,
     works,
 )
+from tambour.crochet.printed.looped import WHICH, Loops
 from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.motifs import net
 from tambour.crochet.printed.reader import Body
@@ -70,7 +71,7 @@ class Draft:
     merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
     plan : the stripes that its next rounds are worked in, and where they are said; over : what stands over its heading and others
     loose : its last line, where a sentence worked part of a round only, the stitches below it, and the round before
-    loops : "flo" or "blo" where all its rounds are worked into those
+    loops : those that its rounds, or some of them, are worked into
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -94,7 +95,7 @@ class Draft:
     stuffing: float | None = None
     up: str | None = None
     stands: tuple[tuple[float, float], tuple[float, float]] | None = None
-    loops: str = ""
+    loops: Loops | None = None
     ends: str = ""
     off: Span | None = None
     other: int | None = None
@@ -123,6 +124,15 @@ class Draft:
 
     def add(self, source: Source, head: Head | None, body: Body, span: Span, notes: tuple[Span, ...] = ()) -> None:
         """A round, or a line of its own, that ``body`` says."""
+        numbers = head.numbers if head is not None else ()
+        parted = self.loops is not None and len({n in self.loops.which for n in numbers}) > 1
+        if head is not None and parted and body.rounds is None:
+            for n in numbers:
+                last = n == numbers[-1]
+                stated = (body.stated, body.stated_span) if last else (None, None)
+                one = replace(body, stated=stated[0], stated_span=stated[1], later=body.later if last else [])
+                self.add(source, replace(head, numbers=(n,)), one, span, notes if last else ())
+            return
         if body.ends and self.ends != "close":
             self.ends = body.ends
         items = list(body.items)
@@ -148,18 +158,26 @@ class Draft:
             self._line(source, head, body, rooted(items), span, notes)
             return
         items = founded(self, source, head, body, items, span)
-        below = any(line.in_round for line in self.lines)
-        if (
-            self.loops
-            and below
-            and any(map(works, items))
-            and not any(isinstance(i, Action) and i.name in _LOOPS for i in items)
-        ):
-            items = [Action(self.loops, span), *items, Action("bl", span)]
+        if self.loops is not None and any(line.in_round for line in self.lines) and any(map(works, items)):
+            items = self._in_loops(source, head, items, span)
         if items:
             made = begun(self, head, facing(items), body)
             unsaid = tuple(words_of(i) for i in items if isinstance(i, Action) and i.name == "ch" and i not in made)
             self._line(source, head, body, made, span, (*unsaid, *notes))
+
+    def _in_loops(self, source: Source, head: Head | None, items: list[Item], span: Span) -> list[Item]:
+        """A round's items in the loops that a rule for it and others says, unless it names its own."""
+        assert self.loops is not None
+        if any(isinstance(i, Action) and i.name in _LOOPS for i in items):
+            self.loops = None if self.loops.own else self.loops
+            return items
+        first = head.numbers[0] if head is not None and head.numbers else self.last + 1
+        if first not in self.loops.which:
+            return items
+        if self.loops.own:
+            source.doubt(WHICH, "say it in the rounds that are: Rnd 2: in BLO, …", span)
+            self.loops = replace(self.loops, own=False)
+        return [Action(self.loops.loop, span), *items, Action("bl", span)]
 
     def ringed(self) -> bool:
         """Whether all of it is a round without a number: "Work 6 sc in ring." above Round 1."""

@@ -19,6 +19,7 @@ from tambour.crochet.printed.accounted import beside, headed
 from tambour.crochet.printed.assembly import UNPLACED, assembled, eyes_listed, told, with_places
 from tambour.crochet.printed.bases import UNKNOWN
 from tambour.crochet.printed.colors import dyeing
+from tambour.crochet.printed.conventions import in_loops
 from tambour.crochet.printed.crocheted import hang
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.dyed import colors_told, yarns_told
@@ -277,6 +278,9 @@ class Printed(Headed):
 
     def _round(self, head: Head, tokens: list[Token], whole: list[Token]) -> None:
         """A round that has a head."""
+        if self.mode not in ("materials", "abbreviations") and in_loops(self, whole):
+            self.passed.append(Span(whole[0].start, whole[-1].end))
+            return  # "Rounds 3-5 are worked in back loops only"
         span = Span(whole[0].start, whole[-1].end)
         starred = whole[0].word if whole[0].word in STARS else ""
         ended = [t for k, t in enumerate(tokens) if t.word in STARS and _ends_line(tokens, k)]

@@ -20,6 +20,7 @@ _FRACTIONS: Final = {"1⁄4": 0.25, "1⁄2": 0.5, "3⁄4": 0.75, "1⁄3": 1 / 3,
 _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
+_LEADS: Final = frozenset(("ending", "end", "finishing", "finish", "on", "work", "working"))
 _LEFT: Final = frozenset(("rem", "remain", "remaining", "left", "around", "in"))
 _ONE: Final = frozenset(("round", "rnd", "row", "rd"))
 _ENDS: Final = (".", ",", ";", "(", ")", "[", "]", "-", ":", "*", *STARS, "=")
@@ -82,6 +83,10 @@ def refers(r: Reader) -> Refers | None:
             ):
                 found = replace(found, numbers=tuple(numbers))  # "as for First Leg, Rnds 1-5"
                 continue
+            often = c.key("twice", ahead=1) or (c.whole(1) is not None and c.key("times", "more", ahead=2))
+            if token.word == "," and often and times is None:
+                c.at += 1  # "Rounds 6 and 7, 2 more times"
+                continue
             if not (past := _meanwhile(c)):
                 break
             r.body.doings.append(c.tokens[c.at + 1 : past])
@@ -94,6 +99,8 @@ def refers(r: Reader) -> Refers | None:
         if not numbers and not found.latest and found.marks is None and _named(c, numbers):
             found = replace(found, numbers=tuple(numbers))
             continue
+        if (numbers or found.latest) and further(c):
+            break  # "Rounds 6 and 7 twice and then Round 6"
         if (given := multiplier(r)) is not False:
             times = given[0]
             if c.skip_key("more"):
@@ -135,7 +142,7 @@ def refers(r: Reader) -> Refers | None:
             if token.kind in ("word", "ordinal", "stitch") or (
                 token.kind == "key" and token.value not in ("as", "for", "in", "from", "round", "row")
             ):
-                words += [] if token.word in _GIVEN or token.word == "alternately" else [token.word]
+                words += [] if token.word in _GIVEN or token.word in ("alternately", "again") else [token.word]
             c.at += 1
     to_count = _shaped(c) or to_count
     _sided(c)
@@ -161,6 +168,15 @@ def refers(r: Reader) -> Refers | None:
         upto,
         vague,
     )
+
+
+def further(c: Cursor) -> int:
+    """How many words lead on from one reference to the next, ", and then work Round 6", ", ending with Round 6"; 0 where none does."""
+    ahead = int(c.mark(","))
+    led = 0
+    while c.key("and", "repeat", "with", ahead=ahead) or ((word := c.look(ahead)) is not None and word.word in _LEADS):
+        ahead, led = ahead + 1, led + 1
+    return ahead if led and c.key("round", "row", ahead=ahead) and c.whole(ahead + 1) is not None else 0
 
 
 def _named(c: Cursor, numbers: list[int]) -> bool:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import accumulate
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Again, Item, Line, written
+from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes, sets_mark, works
 from tambour.crochet.printed.naming import figured, named, version
@@ -136,6 +138,17 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
         draft.edges[draft.last] = draft.edge
     draft.shrunk = draft.edge is not None and before is not None and draft.edge < before
     return True
+
+
+def allotted(draft: Draft, head: Head, refers: list[Refers]) -> list[Head | None]:
+    """The head of each of several references behind one, "Rnds 35-48: Rep Rnds 11-13 4 times, then Rnds 11 and 12": its numbers shared out
+    among them; None for each where they are not as many rounds as they have numbers, or are one."""
+    many = [sum(line.times for line in draft.referred(one)) * (one.times or 1) for one in refers]
+    plain = all(not (one.part or one.length or one.until or one.upto or one.vague) for one in refers)
+    if len(refers) < 2 or not plain or sum(many) != len(head.numbers):
+        return [None] * len(refers)
+    ends = list(accumulate(many))
+    return [replace(head, numbers=head.numbers[b - n : b]) for n, b in zip(many, ends, strict=True)]
 
 
 def _undyed(line: Line) -> Line:

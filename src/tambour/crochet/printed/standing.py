@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.counts import makes
@@ -13,6 +14,8 @@ from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
 CHAINS_OF: Final = {int(name[2]): name for name in STANDING if name[2] != "1"}
+
+_CLAUSE: Final = 14  # tokens
 
 
 def passed_over(c: Cursor) -> bool | None:
@@ -36,6 +39,17 @@ def stood(r: Reader, found: list[Item]) -> bool:
         return False
     found[-1] = Action(CHAINS_OF[last.times], last.span)
     return True
+
+
+def turned(r: Reader, found: list[Item], turn: Action) -> None:
+    """Adds a turn, before the chains just read where a row rises by them, "Ch 3, turn, skip first dc": it turns, and then they lift it."""
+    last = found[-1] if found else None
+    lifts = isinstance(last, Action) and (stands(last) or (last.name == "ch" and last.times <= LIFT))
+    ahead = r.c.tokens[r.c.at :]
+    worked_in = any(t.kind == "key" and t.value == "hook" for t in ahead[:_CLAUSE])
+    rises = lifts and not worked_in and r.edge is not None and any(t.kind == "stitch" for t in ahead)
+    rises = rises and not any(map(makes, found[:-1]))
+    found.insert(len(found) - rises, turn)
 
 
 def standing_last(found: list[Item]) -> bool:

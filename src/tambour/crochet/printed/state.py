@@ -19,12 +19,14 @@ from tambour.crochet.printed.changes import changes
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.columns import columned
 from tambour.crochet.printed.divided import divided
+from tambour.crochet.printed.doubts import numbered_each
 from tambour.crochet.printed.echoes import echoed
 from tambour.crochet.printed.edges import ended
 from tambour.crochet.printed.heads import head
 from tambour.crochet.printed.idioms import plainly
 from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.legend import explained
+from tambour.crochet.printed.looped import Loops
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of, spoken_of
 from tambour.crochet.printed.newyarn import respun
@@ -118,6 +120,7 @@ class State:
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         if not TERMS[self.language.code].prints(source.text.text):
             self.rows = pages(source.text.text, self.rows, self.vocabulary)
+            source.each = numbered_each(source.text.text)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
             self.rows = echoed(told(counting(respun(ended(plainly(self.rows, self.vocabulary))))))
@@ -165,7 +168,7 @@ class State:
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
         self.ringed: Token | None = None  # a ring that stands on a line of its own above its first round
-        self.always = ""  # the loops that every round of the text is worked into
+        self.always: Loops | None = None  # the loops that rounds of the text are worked into
         self.early: dict[str, Any] = {}  # what is said of a part before its first round
         self.unread: list[Problem] = []  # what was not understood, and rounds that were taken from their counts
         self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known

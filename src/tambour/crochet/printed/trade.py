@@ -12,9 +12,9 @@ from tambour.crochet.printed.curls import back_along
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import closed_flat
 from tambour.crochet.printed.dyes import Dyes
-from tambour.crochet.printed.references import refers
+from tambour.crochet.printed.references import further, refers
 from tambour.crochet.printed.repeats import again_said, between_stars, led, repeated
-from tambour.crochet.printed.standing import standing, stands
+from tambour.crochet.printed.standing import standing, stands, turned
 from tambour.crochet.printed.tokens import Token
 
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -160,7 +160,7 @@ class Trade(Dyes):
         elif word == "turn" and self.side_ahead():
             self.other_side(found)
         elif word == "turn":
-            found.append(Action("turn", token.span))
+            turned(self, found, Action("turn", token.span))
             if c.key("to") and c.look(1) is not None and c.look(1).word == "end":  # type: ignore[union-attr]
                 self.to_separator()  # "Turn at end of Rnd 21"
         elif word == "join":
@@ -273,6 +273,10 @@ class Trade(Dyes):
                 self.body.more.append(said)
             else:
                 self.body.refers = said
+            while (ahead := further(c)) > 0:
+                c.at += ahead
+                if (said := refers(self)) is not None:
+                    self.body.more.append(said)
             return
         if self.starred and token.value == "repeat" and again_said(c.tokens[c.at :]):
             between_stars(self, found)

@@ -25,8 +25,10 @@ _LONGEST: Final = 22
 def plainly_put(tokens: list[Token]) -> list[Token]:
     """``tokens`` with "turn the work and carry on along the bottom of the chain:" as "other side,"."""
     made: list[Token] = []
-    at = 0
+    at, begun = 0, False
     while at < len(tokens):
+        before = tokens[at - 1] if at else None
+        begun = begun or (before is not None and before.kind == "stitch" and before.value != "ch")
         if (
             at > 1
             and tokens[at].value == "begin"
@@ -43,16 +45,28 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
             made[where:where] = [*_from_link(tokens, at, end), *_comma(tokens[end - 1], behind)]
             at = end
             continue
+        if tokens[at].value == "in" and (end := _in_loops(tokens, at)) > at:
+            if not any(t.value == "side" for t in made):
+                where = len(made) - 1 - (len(made) > 1 and made[-2].kind == "number")
+                made[where:where] = _sided(made[where], made[where])
+            made.append(tokens[at])  # "sc in free loops of next 3 ch"
+            at = end
+            continue
+        if tokens[at].value == "same" and (end := _in_first(tokens, at)) > at and any(t.value == "side" for t in made):
+            first, last = tokens[at], tokens[end - 1]
+            made += [
+                Token("key", "last", first.start, first.end, "last"),
+                Token("stitch", "ch", last.start, last.end, "ch"),
+            ]
+            at = end  # "2 sc in same ch as first sc", where both sides end
+            continue
         begins = (
             not at or tokens[at - 1].word in _STOPS or tokens[at - 1].value == "and" or tokens[at - 1].kind == "number"
         )
-        end = _other(tokens, at) if begins else at
+        end = _other(tokens, at, begun) if begins else at
         if end > at:
             first, last = tokens[at], tokens[end - 1]
-            made += [
-                Token("key", "other side", first.start, last.end, "side", first.glued, first.capital),
-                Token("mark", ",", last.end, last.end),
-            ]
+            made += _sided(first, last)
             at = end + (end < len(tokens) and tokens[end].word in (",", ":", "-"))
             continue
         made.append(tokens[at])
@@ -65,6 +79,34 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
         if _unparted(tokens, at):
             made.append(Token("mark", ",", tokens[at - 1].end, tokens[at - 1].end))
     return made
+
+
+def _sided(first: Token, last: Token) -> list[Token]:
+    """The words "other side," in place of others."""
+    side = Token("key", "other side", first.start, last.end, "side", first.glued, first.capital)
+    return [side, Token("mark", ",", last.end, last.end)]
+
+
+def _in_loops(tokens: list[Token], at: int) -> int:
+    """Where "in free loops of" ends, said of the chains that a stitch before it goes into; ``at`` for others."""
+    if not at or tokens[at - 1].kind != "stitch" or at + _REACH > len(tokens):
+        return at
+    free, loops = tokens[at + 1], tokens[at + 2]
+    if free.word not in _FREE or loops.word not in ("loop", "loops"):
+        return at
+    return at + 3 if any(t.value == "ch" for t in tokens[at + 3 : at + 3 + _REACH]) else at
+
+
+def _in_first(tokens: list[Token], at: int) -> int:
+    """Where "same ch as first sc" ends; ``at`` for other words."""
+    said = tokens[at : at + 5]
+    same = len(said) > 4 and said[2].value == "as" and said[4].kind in ("stitch", "key")
+    first = same and ((said[3].kind == "ordinal" and said[3].value == 1) or said[3].value in ("begin", "first"))
+    return at + 5 if first and said[1].value in ("ch", "stitch", "place") else at
+
+
+_FREE: Final = frozenset("free unused remaining rem other opposite unworked".split())
+_REACH: Final = 5  # tokens
 
 
 def _hooked(tokens: list[Token], at: int) -> bool:
@@ -130,8 +172,9 @@ def _comma(last: Token, wanted: bool) -> list[Token]:
     return [Token("mark", ",", last.end, last.end)] if wanted else []
 
 
-def _other(tokens: list[Token], at: int) -> int:
-    """Where words end that begin at ``at`` and say that the work goes on along the other side of the chain; ``at`` where they do not."""
+def _other(tokens: list[Token], at: int, begun: bool) -> int:
+    """Where words end that begin at ``at`` and say that the work goes on along the other side of the chain; ``at`` where they do not.
+    ``begun``: stitches stand before them."""
     side = chain = False
     end = at
     while end < len(tokens) and end - at < _LONGEST:
@@ -150,7 +193,9 @@ def _other(tokens: list[Token], at: int) -> int:
                 break
             chain = True
         elif token.kind == "key" and token.value in _LOOPS:
-            return at  # "Working in back loops only"
+            if not begun or end + 1 == len(tokens) or tokens[end + 1].value not in ("ch", "foundation"):
+                return at  # "Working in back loops only"
+            side = True  # "…, 3 sc in last ch; working in front loops of chain"
         elif any(w in _SIDES for w in words):
             side = True
             chain = chain or "chain" in words or "ch" in words or "foundation" in words
@@ -164,6 +209,15 @@ def _other(tokens: list[Token], at: int) -> int:
         end += 1
     if end < len(tokens) and tokens[end].kind == "ordinal":
         return at
+    said = {w for t in tokens[at:end] for w in t.word.split(" ")}
+    if (
+        chain
+        and begun
+        and "back" in said
+        and said & {"along", "down"}
+        and not any(t.value == "hook" for t in tokens[end : end + 6])
+    ):
+        return end  # "…, 3 sc in last ch, back along the chain"
     moves = any(
         w
         in (
@@ -190,4 +244,9 @@ def _other(tokens: list[Token], at: int) -> int:
     moves = moves or any(
         t.value == "side" and "chain" in t.word for t in tokens[at:end]
     )  # "in the remaining loops on opposite side of chain"
+    if [t.value for t in tokens[at:end]] == ["side", "ch"]:
+        return end  # "the underside of the chain:"
+    moves = moves or (
+        tokens[at].value == "in" and (begun or bool(said & {"loop", "loops"}))
+    )  # "working in free loops of beg ch"
     return end if side and chain and (moves or led) and not plain else at
