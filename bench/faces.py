@@ -34,6 +34,8 @@ BARE = 2.2
 """A seam is open whose stitches are so many stitches apart from those that they are sewn to, in the mean of its worst tenth."""
 HID = 0.15
 """A head is sunk of which so much is inside of another part."""
+PULLED = 3.0
+"""Yarn is seen as a thread across the air where two stitches of one part are so many stitches farther apart than their yarn reaches."""
 _SAID = {
     "eyes": r"\b(?:safety|button|bead|embroider\w*|sew|satin|french knot|black|attach|glue|place)\b[^.\n]{0,40}\beyes?\b|\beyes?:",
     "nose": r"\b(?:embroider\w*|satin|sew|stitch)\b[^.\n]{0,40}\b(?:nose|beak|snout|muzzle)\b",
@@ -95,6 +97,7 @@ def wrong(piece: Plush, parts: list[int], kinds: dict[int, Made]) -> list[str]:
     some = things(piece, parts, kinds)
     toy = clusters(graph)
     found = [*_said(piece, some), *_seams(piece, parts), *_heads(piece, parts, kinds)]
+    found += [*_pulled(piece, parts), *_hats(piece, parts, kinds)]
     for label in {int(toy[graph.parts[k].start]) for k in parts}:
         own = [t for t in some if int(toy[graph.parts[t.on].start]) == label]
         bare = [k for k in parts if int(toy[graph.parts[k].start]) == label]
@@ -196,6 +199,36 @@ def _seams(piece: Plush, parts: list[int]) -> list[str]:
         own = np.sort(gap[(pair == (a, b)).all(1)])
         if a != b and a in parts and b in parts and own[-max(1, len(own) // 10) :].mean() > BARE:
             found.append(f"gap: {graph.parts[b].name} and {graph.parts[a].name} {own[-1]:.1f}")
+    return found
+
+
+def _pulled(piece: Plush, parts: list[int]) -> list[str]:
+    """Parts whose own stitches were pulled far apart: a strand laid away from its root, fabric dragged over an edge."""
+    graph, x = piece.built.graph, piece.positions
+    own = (graph.edge_kind != SEWN) & (graph.part[graph.edges[:, 0]] == graph.part[graph.edges[:, 1]])
+    a, b = graph.edges[own].T
+    far = (np.sqrt(((x[a] - x[b]) ** 2).sum(1)) - graph.rest[own]) / graph.stitch_width
+    torn = np.unique(graph.part[a[far > PULLED]])
+    return [f"pulled: {graph.parts[k].name}" for k in torn if k in parts]
+
+
+def _hats(piece: Plush, parts: list[int], kinds: dict[int, Made]) -> list[str]:
+    """Hats of a toy that has a head, and sits neither on it nor over it."""
+    graph, x, toy = piece.built.graph, piece.positions, clusters(piece.built.graph)
+    found = []
+    for k in parts:
+        name = kinds[k].name.lower()
+        if not re.search(r"\b(?:hat|cap|bonnet|beanie)(?![a-z])", name) or "head" in kinds[k].kinds:
+            continue
+        heads = [
+            j for j in parts if "head" in kinds[j].kinds and toy[graph.parts[j].start] == toy[graph.parts[k].start]
+        ]
+        if any("head" in kinds[j].kinds for j in parts) and not heads:
+            found.append(f"hat: beside, {kinds[k].name}")
+        for j in heads[:1]:
+            own, head = (x[graph.parts[i].start : graph.parts[i].end] for i in (k, j))
+            if own[:, 1].mean() < head[:, 1].mean() or own[:, 1].min() > head[:, 1].max() + graph.stitch_width:
+                found.append(f"hat: not on the head, {kinds[k].name}")
     return found
 
 
