@@ -19,7 +19,7 @@ from tambour.core.errors import TambourError
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import STITCHES
 from tambour.crochet.places.face import WORDS as MOTIFS
-from tambour.crochet.words.phrases import ITEMS, LEANS, TURN, WAYS, Phrases, number
+from tambour.crochet.words.phrases import CLOCK, ITEMS, LEANS, TURN, WAYS, Phrases, number
 from tambour.crochet.words.table import SENTENCES, TERMS, Tables
 
 LEGEND = {"A": (1, 2, 3), "B": (200, 10, 77), "C2": (9, 9, 9)}
@@ -239,7 +239,7 @@ def _keys(node):
 @given(
     st.sampled_from(sorted(TERMS)),
     st.sampled_from([0, *LEANS]),
-    st.integers(0, 7),
+    st.integers(0, 23),
     st.integers(0, 7),
     st.sampled_from(WAYS),
     st.booleans(),
@@ -248,10 +248,11 @@ def _keys(node):
 def test_a_seam_in_a_persons_words_is_read_back_as_the_same(code, tilt, way, turn, ways, flat, half):
     phrases = Phrases(TERMS[code], {"Body": 1, "Arm": 2}, {})
     at = Spot("Body", half / 2.0, float(half))
-    one = Placed("Arm.1", at, flat, float(TURN * turn), float(tilt), float(TURN * way) if tilt else 0.0)
+    one = Placed("Arm.1", at, flat, float(TURN * turn), float(tilt), float(CLOCK * way) if tilt else 0.0)
     said = phrases.sewn(one, "between Rnd 12 and 15, 9 stitches to the right of the middle of the front", ways)
     assert said is not None and phrases.finishing(said[:1].upper() + said[1:] + ".") == one
     assert phrases.sewn(replace(one, across=50.0), "there", ways) is None  # there are no words for it
+    assert phrases.sewn(replace(one, tilt=30.0, towards=7.0), "there", ways) is None
 
 
 _SIDES = [f"mid {side}" for side in ("front", "back", "top", "under")]

@@ -21,7 +21,7 @@ from tambour.crochet.model.loop import Tried
 from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, pair, poses
 from tambour.crochet.model.rounds import Rounds, pattern
 from tambour.crochet.settle.arrange import parts
-from tambour.crochet.words.phrases import LEANS, TURN
+from tambour.crochet.words.phrases import CLOCK, LEANS, TURN
 from tambour.geometry.closest import nearest, tree
 from tambour.geometry.motion import dot, fit, length, turned
 from tambour.geometry.surface import vertex_normals
@@ -209,7 +209,7 @@ def _leans(tilt: float, towards: float, fine: bool) -> tuple[float, float]:
         a, b, t = math.radians(one[0]), math.radians(one[1]), math.radians(tilt)
         return -(math.cos(a) * math.cos(t) + math.sin(a) * math.sin(t) * math.cos(b - w))
 
-    best = min([(0, 0), *((a, b) for a in LEANS for b in range(0, 360, TURN))], key=off)
+    best = min([(0, 0), *((a, b) for a in LEANS for b in range(0, 360, CLOCK))], key=off)
     return float(best[0]), float(best[1])
 
 

@@ -12,11 +12,12 @@ from tambour.crochet.finish.placing import level
 from tambour.crochet.finish.sewing import UNDER
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Spot
-from tambour.crochet.words.phrases import LEANS, TURN
+from tambour.crochet.words.phrases import CLOCK, LEANS, TURN
 from tambour.geometry.motion import dot, length
 
 WAYS: Final = tuple(range(0, 360, TURN))
-LEANED: Final = ((0, 0), *((tilt, towards) for tilt in LEANS for towards in WAYS))
+"""How far a part can be said to be turned about itself, in degrees."""
+LEANED: Final = ((0, 0), *((tilt, towards) for tilt in LEANS for towards in range(0, 360, CLOCK)))
 """How a part can be said to lean: its tilt and where to, in degrees."""
 BESIDE = 3
 """How many stitches of a round are tried, the nearest ones."""

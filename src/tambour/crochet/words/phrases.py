@@ -50,9 +50,11 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
 LEANS: Final = (15, 30, 45, 60, 75)
 """How far a part leans, in degrees, of those that there are words for."""
 TURN: Final = 45
-"""Ways that a part leans towards, and how far it is turned about itself, have words in steps of so many degrees."""
+"""How far a part is turned about itself has words in steps of so many degrees."""
+CLOCK: Final = 15
+"""The way that it leans towards has them for half the hours of a clock: eight words, and between these the hour."""
 WAYS: Final = ("ways", "ways on top", "ways underneath")
-"""Where the eight ways are said: on the sides of a toy, on top of it and underneath; the first of each is up."""
+"""Where the eight ways are said: on the sides of a toy, on top of it and underneath; the first of each is up, the clock's 12."""
 
 _NOWHERE: Final = Span(0, 0)
 _FINISH: Final = ("place", "place said", "tie", "eye", "embroider", "felt", "hair")
@@ -242,7 +244,7 @@ class Phrases:
         if (
             record.by is not None
             or record.through
-            or record.towards % TURN
+            or record.towards % CLOCK
             or record.across % TURN
             or record.tilt not in (0, *LEANS)
         ):
@@ -255,9 +257,17 @@ class Phrases:
             spot=record.spot,
             flat=True if record.flat else None,
             lean=self._listed("leans")[LEANS.index(int(record.tilt))] if record.tilt else None,
-            way=self._listed(ways)[int(record.towards % 360) // TURN],
+            way=self._way(int(record.towards % 360), ways),
             about=turns[int(record.across % 360) // TURN - 1] if record.across % 360 else None,
         )
+
+    def _way(self, towards: int, ways: str) -> str:
+        """The words for a way, in whole degrees to the left of up, on a side of a toy that has the words ``ways`` (of WAYS)."""
+        eight = self._listed(ways)
+        if towards % TURN == 0:
+            return eight[towards // TURN]
+        hour, half = divmod(360 - towards, 30)
+        return self.terms.page["clock"].format(hour=f"{hour or 12}:{2 * half:02d}", up=eight[0])
 
     def _listed(self, key: str) -> list[str]:
         """What a table lists between commas."""
@@ -380,7 +390,7 @@ class Phrases:
             return {said.lower(): float(a) for said, a in zip(self._listed("leans"), LEANS)}
         if field == "about":
             return {said.lower(): float(TURN * (k + 1)) for k, said in enumerate(self._listed("turns"))}
-        return {said.lower(): float(TURN * k) for key in WAYS for k, said in enumerate(self._listed(key))}
+        return {self._way(w, ways).lower(): float(w) for ways in WAYS for w in range(0, 360, CLOCK)}
 
     def _heard(self, field: str, words: str) -> Any:
         if field in _SILENT:
