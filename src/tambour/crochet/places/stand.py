@@ -314,9 +314,15 @@ def _all_threads(rings: list[Array], rows: bool) -> tuple[Array, Array, Array]:
 
 def _away(start: Array, way: Array, point: Array) -> tuple[Array, Array]:
     """How far a point is from every thread, squared, and at which share of its way it is nearest."""
-    share = ((point - start) * way).sum(-1) / np.maximum((way**2).sum(-1), 1e-12)
-    share = np.clip(share, 0.0, 1.0)
-    return ((start + share[..., None] * way - point) ** 2).sum(-1), share
+    share = np.clip(_dot(point - start, way) / np.maximum(_dot(way, way), 1e-12), 0.0, 1.0)
+    off = start + share[..., None] * way - point
+    return _dot(off, off), share
+
+
+def _dot(a: Array, b: Array) -> Array:
+    """The products of vectors (…, 3); sums along so short an axis would cost more than all else here."""
+    each = a * b
+    return np.asarray(each[..., 0] + each[..., 1] + each[..., 2])
 
 
 def _alike(ring: Array, n: int) -> Array:

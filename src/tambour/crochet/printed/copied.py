@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Final
 
 from tambour.crochet.printed.tokens import Token
-from tambour.crochet.words.numbers import NUMBERS
 from tambour.crochet.words.table import Heard
 
 _MARKS: Final = frozenset(
@@ -21,9 +20,7 @@ def number_of(token: Token, heard: Heard) -> int:
     """The number that a word is, in digits or letters; 0 for another."""
     if token.kind == "number" and isinstance(token.value, int):
         return token.value
-    if token.word in heard.numbers:
-        return heard.numbers.index(token.word) + 1
-    return next((n for english, n in NUMBERS.items() if token.word in heard.gloss.get(english, ())), 0)
+    return heard.counting.get(token.word, 0)
 
 
 def copies_of(tokens: Sequence[Token], heard: Heard, name: frozenset[str] = frozenset()) -> int:

@@ -88,13 +88,15 @@ def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     words = _Words(vocabulary)
     made: list[Row] = []
     top = next((k for k, row in enumerate(rows) if row.tokens), 0)
+    founded: dict[int, bool] = {}
     for k, row in enumerate(rows):
-        title = _title(row.tokens, words) if 0 < len(row.tokens) <= _LONGEST else None
+        short = 0 < len(row.tokens) <= _LONGEST
+        title = _title(row.tokens, words) if short and any(_near(rows, k, words, founded)) else None
         above = next((line.tokens for line in reversed(rows[max(0, k - 3) : k]) if line.tokens), [])
         if (
             title is None
             or not title.dressed
-            or not _headed(title, rows, k, words)
+            or not any(_near(rows, k, words, founded)[: None if _known(title.name) else 1])
             or (title.led and _stands(above, words))
             or (k == top and not all(_hue(aside, words) for aside in title.asides))  # "Slipper sole (US terms)"
         ):
@@ -159,14 +161,15 @@ def _made(title: _Title, words: _Words) -> Iterable[Token]:
     )
 
 
-def _headed(title: _Title, rows: list[Row], k: int, words: _Words) -> bool:
-    """Whether a first round follows the line ``k`` closely."""
-    near = [row for row in rows[k + 1 : k + 8] if row.tokens][: _NEAR if _known(title.name) else 1]
-    for row in near:
-        said = words.read(row.tokens)
-        if any(head.numbers[:1] == (1,) for _, head in heads(said)) or any(t.value == "ring" for t in said):
-            return True
-    return False
+def _near(rows: list[Row], k: int, words: _Words, founded: dict[int, bool]) -> list[bool]:
+    """Of the next lines below line ``k``, whether a first round begins in them; ``founded`` : of those that are known."""
+    near = [n for n in range(k + 1, min(k + 8, len(rows))) if rows[n].tokens][:_NEAR]
+    for n in near:
+        if n not in founded:
+            said = words.read(rows[n].tokens)
+            ring = any(t.value == "ring" for t in said)
+            founded[n] = ring or any(head.numbers[:1] == (1,) for _, head in heads(said))
+    return [founded[n] for n in near]
 
 
 def _title(tokens: list[Token], words: _Words) -> _Title | None:

@@ -74,8 +74,6 @@ class Vocabulary:
                 self._add([s for s in spellings if s not in _SIGNS], "key", _SAME.get(key, key))
         for name, spellings in table.stitches.items():
             self._add(spellings, "stitch", name)
-        for phrases in self._first.values():
-            phrases.sort(key=lambda p: -len(p[0]))
 
     def _families(self, heard: Heard) -> None:
         """Plain stitches, and the increases and decreases that are said of them."""
@@ -105,15 +103,15 @@ class Vocabulary:
 
     def _add(self, spellings: Iterable[str], kind: str, value: Any, new: bool = False) -> None:
         for said in spellings:
-            words = tuple(t.word for t in rows(said)[0].tokens if t.word not in _JOINS)
+            plain = said.isascii() and said.islower() and said.replace(" ", "").isalpha()
+            words = tuple(said.split() if plain else (t.word for t in rows(said)[0].tokens if t.word not in _JOINS))
             if not words:
                 continue
             if kind == "stitch" and value not in STITCHES and not new:
                 continue
-            phrases = self._first.setdefault(words[0], [])
             # What comes later is the table's own word, and goes before what people write besides.
-            phrases[:] = [p for p in phrases if p[0] != words]
-            phrases.append((words, kind, value))
+            phrases = [p for p in self._first.get(words[0], ()) if p[0] != words]
+            self._first[words[0]] = sorted([*phrases, (words, kind, value)], key=_length)
             if kind == "stitch" and len(words) == 1:
                 self._alone.add(words[0])  # so that a point behind it ends a sentence: "1 sc. Inc." is two
 
@@ -121,8 +119,6 @@ class Vocabulary:
         """A stitch's name that the pattern itself explains."""
         self._add([word], "stitch", stitch, True)
         self._read.clear()
-        for phrases in self._first.values():
-            phrases.sort(key=lambda p: -len(p[0]))
 
     def mean(self, word: str, key: str) -> None:
         """A word of the trade, a ring or a round, that the pattern itself explains."""
@@ -131,7 +127,7 @@ class Vocabulary:
 
     def own(self) -> None:
         """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
-        self._first = {word: list(phrases) for word, phrases in self._first.items()}
+        self._first = dict(self._first)
         self._alone = set(self._alone)
         self._read = {}
 
@@ -262,6 +258,10 @@ class Vocabulary:
             number = Token("number", word[len(head) :], middle, token.end, int(word[len(head) :]), True)
             return [Token(kind, head, token.start, middle, value, token.glued), number]
         return [token]
+
+
+def _length(phrase: tuple[tuple[str, ...], str, Any]) -> int:
+    return -len(phrase[0])
 
 
 def _of_both(name: str) -> bool:

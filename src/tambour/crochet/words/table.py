@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from tambour.core.errors import Problem, TambourError
+from tambour.crochet.words.numbers import NUMBERS
 from tambour.crochet.words.spellings import meanings, stitches
 
 FOLDER: Final = Path(__file__).parent
@@ -100,6 +101,7 @@ class Heard:
     items : the same of headings alone, "Chapter 2: Body"; leads, trails : what stands before the name there, and behind it, and says nothing
     using, towards : words before the yarn of a part and before the part: "use brown for the head"
     copied : words that say how many of a part are made, beside the number; pairs : those that say two; sides : left and right, by turns
+    counting : every word of a number, of ``numbers`` and of the gloss → that number
     others, made, again : words that have a part made again: "another"; "crochet", which need not name it; and what stands with them
     """
 
@@ -128,6 +130,12 @@ class Heard:
     again: tuple[str, ...] = ()
     ordinals: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
+    counting: Mapping[str, int] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        glossed = [(n, word) for english, n in NUMBERS.items() for word in self.gloss.get(english, ())]
+        counting = {word: n for n, word in reversed([*enumerate(self.numbers, 1), *glossed])}
+        object.__setattr__(self, "counting", counting)
 
 
 @dataclass(frozen=True, slots=True)
