@@ -14,10 +14,12 @@ FOLDER = DATA / "habits"
 SHARES = [
     ("habits", "b*", 0.92),
     ("habits", "[!b]*", 0.91),
-    ("strangers", "*", 0.95),
+    ("strangers", "*", 0.96),
     ("fresh", "*", 0.95),
-    ("unseen", "*", 0.79),
-    ("further", "*", 0.73),
+    ("unseen", "*", 0.84),
+    ("further", "*", 0.74),
+    ("posted", "*", 0.95),
+    ("sealed", "*", 0.67),
 ]
 """Which texts, and what share of their rounds was read right; it may only rise."""
 PLANTED = {  # text → the count that is wrong in it, and what its round makes

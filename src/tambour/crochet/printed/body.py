@@ -407,13 +407,18 @@ class Walk(Trade):
         if self.ring is not None and ahead == 1 and (after is None or after.kind != "stitch"):
             self.plain(found, token)
         elif after is not None and after.kind == "mark" and after.word in OPEN:
+            begin = c.at
             c.at += ahead
             inner: list[Item] = []
             bracket(self, inner, after)
             one = inner[0] if len(inner) == 1 else None
             items = one.items if isinstance(one, Group) and one.times == 1 else tuple(inner)
             self.body.asked.pop("once", None)
-            found.append(Group(items, max(token.value, 1), token.span))
+            if items:
+                found.append(Group(items, max(token.value, 1), token.span))
+            else:  # "crochet 12 (12)": the bracket was a count
+                c.at = begin
+                self.plain(found, token)
         elif after is not None and after.kind == "stitch":
             c.at += ahead
             stitch(self, found, token)

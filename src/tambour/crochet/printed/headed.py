@@ -146,6 +146,10 @@ class Headed(State):
                 NotUnderstood(ring, "the ring has no stitches", "say how many: 6 sc in magic ring"),
             )
             return
+        nothing = not (read.items or read.refers or read.edged or read.plain or read.more or read.moved)
+        if nothing and head.numbers and any(t.kind == "stitch" and t.value not in ("slst", "ch") for t in tokens):
+            self._gap(draft, head, tokens, span, NotUnderstood(first, "no stitch of this was read"))
+            return
         place, self.moved = read.moved or self.moved, None
         if self._along(draft, read, place):
             self._edged(draft, read, span)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tambour.core.errors import Span
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.tokens import Token
 
@@ -18,7 +19,26 @@ _SIDES = frozenset(("rs", "ws", "right", "wrong", "side"))
 _OTHER = frozenset(("alt", "alternate", "alternating", "every", "other"))
 _NAMED = frozenset(("joining", "foundation", "setup", "edging", "dividing", "final", "decrease", "increase", "first"))
 _LABEL = 6  # words that name a round
-_AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–"))
+_BODY = frozenset(
+    (
+        "round",
+        "row",
+        "with",
+        "in",
+        "color",
+        "back loops",
+        "front loops",
+        "ring",
+        "around",
+        "each",
+        "next",
+        "repeat",
+        "skip",
+        "turn",
+    )
+)
+"""Words of a round's body that no name of it has."""
+_AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–", "~", "»", "›"))
 
 
 @dataclass(frozen=True)
@@ -107,7 +127,7 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         parted = True
     if c.key("round", "row") and parted and numbers and c.whole(1) is None:
         c.at += 1
-    if numbers and strong and tokens[c.at - 1].word == "-" and (past := _label(tokens, c.at)):
+    if numbers and (past := _label(tokens, c.at, strong and tokens[c.at - 1].word == "-")):
         c.at = past  # "Round 14-Leg Openings: Sc in …"
     if c.mark(*OPEN) and any(t.word in _SIDES for t in tokens[c.at + 1 : c.at + 3]):  # "1st rnd: (RS). Ch 1."
         end = next((k for k in range(c.at, min(c.at + 12, len(tokens))) if tokens[k].word in (")", "]", "}")), c.at - 1)
@@ -131,15 +151,35 @@ def _pointed(c: Cursor, numbers: list[int]) -> bool:
     return True
 
 
-def _label(tokens: list[Token], at: int) -> int:
-    """Where words at ``at`` end that only name a round, "Attach 2 Legs:", "the tentacles!", with their mark; 0 where they are none."""
-    if at >= len(tokens) or tokens[at].kind != "word":
+def _label(tokens: list[Token], at: int, dashed: bool) -> int:
+    """Where words at ``at`` end that only name a round, "Attach 2 Legs:", "the tentacles!", with their mark; 0 where they are none.
+    Words that name a part of the toy need no dash before them: "time for the ears! 12 sc", "neck: 12 sc", "(knee) 12 sc"."""
+    if at >= len(tokens):
+        return 0
+    opened = tokens[at].word in ("(", "[")
+    end = at + opened
+    while end < len(tokens) and end - at < _LABEL and tokens[end].kind in ("word", "filler", "key"):
+        end += 1
+    said = tokens[at + opened : end]
+    marks = (")", "]") if opened else (":", "!", "-")
+    if (
+        end + 1 < len(tokens)
+        and tokens[end].word in marks
+        and any(_names(t) for t in said)
+        and not any(t.value in _BODY for t in said)
+    ):
+        return end + 1
+    if not dashed or tokens[at].kind != "word":
         return 0
     end = at
     while end < len(tokens) and end - at < _LABEL and tokens[end].kind in ("word", "number"):
         end += 1
     calls = end < len(tokens) and tokens[end].word == "!" and all(t.kind == "word" for t in tokens[at:end])
     return end + 1 if calls or (tokens[at].capital and end < len(tokens) and tokens[end].word == ":") else 0
+
+
+def _names(token: Token) -> bool:
+    return token.kind == "word" and bool(kind_of(one(token.word)))
 
 
 def _labelled(tokens: list[Token], at: int) -> int:
@@ -221,9 +261,9 @@ def list_of_numbers(c: Cursor, numbers: list[int], several: bool = False) -> boo
             ranged
             and after is not None
             and sign is not None
-            and sign.word == "-"
+            and sign.word in ("-", "~")
             and (
-                (after.kind == "stitch" and (not sign.glued or len(numbers) > 1))
+                (after.kind == "stitch" and (not sign.glued or not c.look(ahead).glued or len(numbers) > 1))  # type: ignore[union-attr]
                 or (after.kind == "key" and after.value == "stitch")
                 or (after.kind == "stitch" and len(numbers) > 1)
             )

@@ -14,6 +14,7 @@ from tambour.crochet.printed.tokens import Token
 
 _NEAR: Final = 4  # lines between what a piece begins with and its first round
 _LONGEST: Final = 14  # words of a sentence that begins a piece
+_CAST: Final = 5  # words of a sentence that only chains
 _WORDS: Final = 6  # of a part's name
 
 
@@ -23,6 +24,8 @@ def founding(tokens: list[Token]) -> bool:
         return False
     c = Cursor(tokens)
     first = tokens[0]
+    if first.kind == "number" and len(tokens) > 1 and tokens[1].value == "ch":  # "5 Lm anschlagen"
+        return all(t.kind == "word" or t.word == "." for t in tokens[2:]) and len(tokens) <= _CAST
     if first.value != "ch" and not (
         first.kind == "key" and first.value in ("with", "begin", "over", "make", "ring", "leave", "form")
     ):

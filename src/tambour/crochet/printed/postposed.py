@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from typing import Final
 
@@ -12,11 +13,12 @@ _LOOPS: Final = ("back loops", "front loops", "both loops")
 _LEADS: Final = (",", ":", "(", "[", "*", ".", ";")
 _ENDS: Final = (",", ".", ";", ":", "=", ")", "]")
 _TURN: Final = "keer"  # behind a number it says how often
-_OF: Final = frozenset(("de", "des", "du", "d", "van", "von"))
+_OF: Final = frozenset(("de", "des", "du", "d", "van", "von", "mit", "con", "met", "aus"))
 
 
 def put_before(tokens: list[Token]) -> list[Token]:
     """Words as read, in the order in which English has them."""
+    tokens = _summed(tokens) if len(tokens) <= _SUM else tokens
     made: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -98,6 +100,28 @@ def put_before(tokens: list[Token]) -> list[Token]:
     return made
 
 
+def _summed(tokens: list[Token]) -> list[Token]:
+    """``ch 8 + 1`` and ``8 Lm + 1 Wendeluftmasche``, sentences that say no more, with the sum of their numbers."""
+    plus = next((k for k in range(2, len(tokens)) if tokens[k].word == "+"), 0)
+    numbers = [k for k, t in enumerate(tokens) if t.kind == "number" and isinstance(t.value, int)]
+    said = not plus or len(numbers) != _TWO or not numbers[0] < plus < numbers[1] or numbers[0] > plus - 1
+    if (
+        said
+        or not any(t.value == "ch" for t in tokens[:plus])
+        or any(t.kind == "stitch" and t.value != "ch" for t in tokens)
+    ):
+        return tokens
+    one, other = (tokens[k] for k in numbers)
+    if other.value > _TURNING or plus > 3 or len(tokens) > plus + 4:
+        return tokens
+    return [replace(t, value=one.value + other.value) if t is one else t for t in tokens[:plus]]
+
+
+_TWO: Final = 2
+_SUM: Final = 8  # words of a sentence that only chains
+_TURNING: Final = 4  # chains that turn a row, at most
+
+
 def _place(token: Token) -> bool:
     return (token.kind == "key" and token.value == "stitch") or (token.kind == "stitch" and "tog" not in token.word)
 
@@ -107,7 +131,7 @@ def _chained(tokens: list[Token], at: int) -> int:
     k = at + 1
     k += k < len(tokens) and (tokens[k].value == "from" or tokens[k].word in _OF or tokens[k].word == "of")
     of = k > at + 1
-    if k + 1 < len(tokens) and tokens[k].kind == "number" and tokens[k + 1].value == "ch" and of:
+    if k + 1 < len(tokens) and tokens[k].kind == "number" and tokens[k + 1].value in _PLACES and of:
         return k if not (at and made_number(tokens[at - 1])) else 0
     return 0
 

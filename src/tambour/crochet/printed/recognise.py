@@ -142,9 +142,9 @@ def _foreign(rows: list[Row], words: dict[str, int]) -> str:
 
 @lru_cache(maxsize=16)
 def _own(code: str) -> frozenset[str]:
-    """First words of a language's stitches, rings and rounds."""
+    """First words of a language's stitches, rings, rounds and rows."""
     table = TERMS[code]
-    said = (*table.stitches.values(), table.words["ring"], table.words["round"], table.words["stitch"])
+    said = (*table.stitches.values(), *(table.words[key] for key in ("ring", "round", "row", "stitch")))
     found = {s.lower().split()[0].translate(_DIGITS) for spellings in said for s in spellings}
     return frozenset(word for word in found if len(word) > 1)
 

@@ -103,7 +103,8 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         if sentence and (opened := opening(p.source.text.text, sentence)) is not None:
             p.heading, sentence, p.mode, any_read = opened[0], sentence[opened[1] :], "", True
             p.title = p.title or (opened[0].name, opened[0].span)
-        if sentence and not lefts and p.parts and p.parts[-1].counted(sentence):
+        chained = p.heading is not None and any(t.value == "ch" for t in sentence)  # "5 Lm" below a heading is no count
+        if sentence and not lefts and not chained and p.parts and p.parts[-1].counted(sentence):
             any_read = True
         elif sentence and lefts and p.parts and p.parts[-1].last and bare_count(sentence) is not None:
             lefts.append(sentence)  # the count of what was not read
@@ -273,7 +274,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         p.passed.append(span)
         return True  # "do not fasten off", "do not stuff"
     try:
-        fresh = draft is None or (p.heading is not None and tokens[0].value == "ch")
+        fresh = draft is None or (p.heading is not None and any(t.value == "ch" for t in tokens[:2]))
         body = decided(p.source, tokens, p.palette, None if fresh or draft is None else draft.edge, p.phrases)
     except NotUnderstood:
         return edging(p, tokens)

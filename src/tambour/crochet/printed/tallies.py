@@ -19,9 +19,11 @@ _SPLIT: Final = re.compile(r"([a-z]{1,5})_?(\d{1,3})_?")
 _UNITS: Final = frozenset("sts st stitch stitches sc dc total altogether loops".split())
 _PHRASE: Final = frozenset(
     "total totals count for of a now you have get should will be there are makes making make equals is we giving gives "
-    "leaves leaving st sts stitch stitches that".split()
+    "leaves leaving st sts stitch stitches that tot sum to make".split()
 )
 _POINTED: Final = frozenset(("t", "tot", "sum", "no", "number"))
+_SHORTENED: Final = frozenset(("tot", "no", "sum"))
+"""A point behind these ends no sentence."""
 _READ: Final = (("-",), ("=",), (":",), (";",), (".",), ("|",))  # signs that every text's counts may have
 _BINDING: Final = frozenset(("x", "*", "+", "_"))
 """These bind a number to what is before it, unless they stand behind it too."""
@@ -40,7 +42,9 @@ _PARTING: Final = frozenset((";", ":", "-", "."))
 _SAID: Final = frozenset((",", "+"))
 _ALL: Final = frozenset("all both these those remaining rem following other same".split())
 _LONGEST: Final = 6  # words before a count
-_BESIDE: Final = frozenset((",", ""))
+_COLUMN: Final = "  "
+_BESIDE: Final = frozenset((",", "", _COLUMN))
+_GAP: Final = 2  # blanks before a number that stood in a column of its own
 _YARNS: Final = frozenset("with color colour yarn using join in make size to".split())  # "With Color 2, ch 6"
 _APART: Final = 5  # lines from one round to the next
 _LETTERS: Final = frozenset("rnd rnds rd round rounds r row rows rondje foundation".split())
@@ -199,6 +203,7 @@ def _ranged(tokens: list[Token], at: int, first: int, begin: int, named: str) ->
         at + 1 < len(tokens)
         and tokens[at].word in ("-", "~", "&", "to", "and")
         and not (named and tokens[at].word == "-" and not tokens[at].glued)
+        and not (tokens[at].kind == "mark" and tokens[at].glued and not tokens[at + 1].glued)  # "1- 6 sc"
     ):
         grown = _SPLIT.fullmatch(tokens[at + 1].word)
         value = tokens[at + 1].value if tokens[at + 1].kind == "number" else int(grown[2]) if grown else None
@@ -248,7 +253,7 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         if (begin := _begins(row.tokens, vocabulary)) is None:
             continue
         rounds += 1
-        if (end := _behind(row.tokens, begin)) is not None:
+        if (end := _behind(row.tokens[: _tail(row.tokens, vocabulary)], begin)) is not None:
             ends[k] = end
     many = Counter(shape for shape, _, _ in ends.values())
     made = list(rows)
@@ -258,9 +263,24 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         row = rows[k]
         count = row.tokens[number]
         opens, closes = (Token("mark", sign, count.start, count.end) for sign in "()")
-        stop = row.tokens[-1:] if row.tokens[-1].word == "." else []
+        tail = _tail(row.tokens, vocabulary)
+        stop = row.tokens[tail:] or (row.tokens[-1:] if row.tokens[-1].word == "." else [])
         made[k] = replace(row, tokens=[*row.tokens[:at], opens, replace(count, glued=True), closes, *stop])
     return made
+
+
+def _tail(tokens: list[Token], vocabulary: Vocabulary) -> int:
+    """Where a bracket begins that ends a line and says how many rounds it is: "42  (7 rounds)"; the line's end where none does."""
+    k = len(tokens) - 4
+    if (
+        k < 2
+        or tokens[k].word not in _OPENED
+        or tokens[-1].word != _OPENED[tokens[k].word]
+        or tokens[k + 1].kind != "number"
+    ):
+        return len(tokens)
+    said = vocabulary.read(tokens[k + 2 : -1])
+    return k if len(said) == 1 and said[0].value in ("round", "row") else len(tokens)
 
 
 def _begins(tokens: list[Token], vocabulary: Vocabulary) -> int | None:
@@ -297,6 +317,8 @@ def _behind(tokens: list[Token], begin: int) -> tuple[tuple[str, ...], int, int]
         return None
     opening, said, closing = end.opening, end.said, end.closing
     before = tokens[end.at - 1].word
+    if not opening and not said and tokens[end.number].start - tokens[end.at - 1].end >= _GAP:
+        return (_COLUMN, *closing), end.at, end.number
     if not opening and not said:
         worked = tokens[end.at - 1].kind == "word" and before not in _WORKED
         return None if worked or before in _BINDING else (("", *closing), end.at, end.number)
@@ -317,7 +339,7 @@ def _ending(tokens: list[Token], begin: int) -> _Ending | None:
     while end > begin and tokens[end - 1].kind == "mark":
         end -= 1
     closing = [t.word for t in tokens[end:] if t.word != "." and unicodedata.category(t.word[0]) != "So"]
-    while end > begin and tokens[end - 1].word in _UNITS and not tokens[end - 1].glued:
+    while end > begin and (tokens[end - 1].word in _UNITS or tokens[end - 1].word == "now"):
         end -= 1
     if end > begin and tokens[end - 1].word == "in":  # "in total"
         end -= 1
@@ -326,8 +348,9 @@ def _ending(tokens: list[Token], begin: int) -> _Ending | None:
     number = end - 1
     if number <= begin or tokens[number].kind != "number" or not isinstance(tokens[number].value, int):
         return None
-    pointed = (
-        number - 2 > begin and tokens[number - 1].word in (":", "=") and tokens[number - 2].word in _PHRASE | _POINTED
+    sign, word = tokens[number - 1].word, tokens[number - 2].word
+    pointed = number - 2 > begin and (
+        (sign in (":", "=") and word in _PHRASE | _POINTED) or (sign == "." and word in _SHORTENED)
     )
     at = number - pointed
     pointed = pointed and not (tokens[number - 2].word in _OWN and _of_round(tokens, number - 3))

@@ -17,12 +17,16 @@ from tambour.crochet.words.table import TERMS
 
 _LONGEST: Final = 24  # tokens of a line that heads a part
 _NAME: Final = 4  # words of a name
+_SIDED: Final = 3  # words of "left and right"
 _ASIDE: Final = 7  # words of a remark beside it
 _NEAR: Final = 2  # lines from a heading to its first round
 _NUMBER: Final = 40  # of a part
 _LETTERS: Final = 3  # of a yarn's short name
 _CLOSES: Final = {"(": ")", "[": "]", "{": "}", "<": ">", "«": "»", '"': '"', "'": "'", "„": '"', "‘": "’"}
-_PARTS: Final = frozenset((",", ":", "-", "–", ";", "|", "/", ".", "=", "~", "*", "**", "!", "--", "---"))
+_DOTS: Final = frozenset(("•", "·", "●", "∙", "→", "»", "…"))
+_PARTS: Final = frozenset(
+    (",", ":", "-", "–", ";", "|", "/", ".", "=", "~", "*", "**", "!", "--", "---", "...", *_DOTS)
+)
 """Marks that part what a heading says."""
 _ROMAN: Final = frozenset("i ii iii iv v vi vii viii ix x".split())
 _JOINS: Final = frozenset(("and", "&", "+", "/", "-", "of", "'", "und", "et", "y", "en", "le", "la", "les", "the", "l"))
@@ -133,6 +137,7 @@ def _hue(aside: list[Token], words: _Words) -> list[Token]:
     at = 0
     while at < len(aside) - 1 and (
         aside[at].word in words.heard.using
+        or aside[at].word in words.heard.leads
         or aside[at].word in (":", "=")
         or any(t.value in ("yarn", "color", "begin") for t in words.read(aside[at : at + 1]))
     ):
@@ -175,8 +180,9 @@ def _near(rows: list[Row], k: int, words: _Words, founded: dict[int, bool]) -> l
 def _title(tokens: list[Token], words: _Words) -> _Title | None:
     """What a line says as a heading; None where it can be none."""
     begun = next((t for t in tokens if t.kind == "word"), None)
-    if begun is None or not (begun.capital or begun.start > tokens[0].start):
+    if begun is None:
         return None
+    small = not (begun.capital or begun.start > tokens[0].start)
     left, framed = _unframed(tokens)
     at = _numbered(left, words)
     made = _Title(framed=framed or at > 0, dressed=at > 0 or len(left) < len(tokens))
@@ -189,6 +195,8 @@ def _title(tokens: list[Token], words: _Words) -> _Title | None:
             read = _leads(made, piece.tokens, words) if k < first else _counts(made, piece, words)
         if not read:
             return None
+    if small and (made.led or not _known(made.name) or not all(_hue(aside, words) for aside in made.asides)):
+        return None  # "ears (cream)" in small letters heads a part, "stuff the ears" does not
     return made if made.name and _plain(made, words) else None
 
 
@@ -208,9 +216,9 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
     said, name = piece.tokens, _spelt(made.name)
     if _numbers(said, words):
         return True
-    if any(t.value in ("each", "per") or t.word in ("each", "per") for t in words.read(said)):
+    if any(t.word != "all" and (t.value == "each" or t.word == "per") for t in words.read(said)):
         return False  # "make 2 each with A, B and C"
-    if _known(said) and not piece.bracketed:
+    if _known(said) and not piece.bracketed and piece.mark not in _DOTS:
         return False  # "SNOUT, HEAD & TAIL" is one part
     many = copies_of(said, words.heard, name) or (
         number_of(said[0], words.heard) if len(said) == 1 and piece.mark != "/" else 0
@@ -221,17 +229,19 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
     yarn = _copied(made, said, name, words)
     if yarn:
         said = yarn
-    elif any(number_of(t, words.heard) for t in said if t.kind == "number") and not any(
+    elif any(number_of(t, words.heard) > 1 for t in said if t.kind == "number") and not any(
         t.value == "hook" for t in words.read(said)
     ):
         return False  # "make 6: 2 each with A, B and C"
-    if any(
-        t.kind == "stitch" or (t.kind == "key" and t.value in _BUSY and not piece.bracketed) for t in words.read(said)
-    ):
+    flat = [t.value for t in words.read(said)] in (["in", "row"], ["in", "round"], ["around"])  # "Wings (x2), in rows"
+    aside = piece.bracketed or piece.mark in _DOTS or flat
+    if any(t.kind == "stitch" or (t.kind == "key" and t.value in _BUSY and not aside) for t in words.read(said)):
         return False
     made.asides.append(said)
     return bool(_hue(said, words)) or (
-        len(said) <= _ASIDE and piece.mark not in (".", "/", "|") and (piece.bracketed or len(said) > 1)
+        len(said) <= _ASIDE
+        and piece.mark not in (".", "/", "|")
+        and (piece.bracketed or len(said) > 1 or piece.mark in _DOTS)
     )
 
 
@@ -325,7 +335,8 @@ def _pieces(tokens: list[Token]) -> list[_Piece]:
         elif not inside and token.word in _CLOSES:
             made, inside = [*made, _Piece(bracketed=True)], _CLOSES[token.word]
         elif token.word in (",", ";") or (not inside and token.word in _PARTS and not within):
-            made.append(_Piece(bracketed=bool(inside), mark=token.word))
+            mark = made[-1].mark if token.word == "," and made[-1].mark in _DOTS else token.word
+            made.append(_Piece(bracketed=bool(inside), mark=mark))
         else:
             made[-1].tokens.append(token)
     return [piece for piece in made if piece.tokens]
@@ -349,6 +360,8 @@ def _names(made: _Title, tokens: list[Token], words: _Words) -> bool:
     name, rest = tokens[at:end], tokens[end:]
     while len(name) > 1 and name[-1].word in heard.trails and kind_of(one(name[-2].word)) != "eye":
         name = name[:-1]
+    if len(name) > _SIDED and copies_of(name[:-1], heard) > 1:  # "LEFT AND RIGHT EAR"
+        made.copies, made.said, name = copies_of(name[:-1], heard), name[:-1], name[-1:]
     made.led = made.led or at > 0
     made.dressed = made.dressed or at > 0 or len(name) < len(tokens)
     made.name = name

@@ -144,7 +144,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         at += 1
     while len(tokens) > at and (tokens[-1].word == "|" or tokens[-1].word in _BOXES):
         tokens.pop()  # "Rounds 10-17: sc 42 {42} ☐☐☐"
-    tokens = _dotted(_kerned(_undashed(tokens[at:])))
+    tokens = _dotted(_kerned(_undashed(_unpictured(tokens[at:]))))
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
         if len(weights) == 2 and tokens[0] is weights[0] and not marked:
@@ -162,12 +162,30 @@ def _sign(mark: str) -> bool:
     return unicodedata.category(mark[0]) in ("So", "Cn") and mark not in "©®"  # Cn: younger than Python's table
 
 
+def _unpictured(tokens: list[Token]) -> list[Token]:
+    """The words of a round without pictures among them, "r4 🖤 sc around ✨ (18)"; one that stands before its last number is the sign of its count."""
+    first = tokens[0] if tokens else None
+    if first is None or (first.kind not in ("number", "ordinal") and first.word.rstrip("0123456789") not in _ROUNDS):
+        return tokens
+    if "".join([t.word for t in tokens]).isascii():
+        return tokens
+    last = next((t for t in reversed(tokens) if t.kind == "number"), None)
+    return [
+        t
+        for k, t in enumerate(tokens)
+        if not (t.kind == "mark" and _sign(t.word)) or (k + 1 < len(tokens) and tokens[k + 1] is last)
+    ]
+
+
 def _kerned(tokens: list[Token]) -> list[Token]:
     """``tokens`` with the digits of a count together that a page set apart: "2 0 sts"."""
     for k in range(len(tokens) - 2):
         one, two, after = tokens[k : k + 3]
         apart = one.kind == two.kind == "number" and len(one.word) == len(two.word) == 1 and two.start == one.end + 1
-        named = not k or tokens[k - 1].word in _ROUNDS  # "Rnd 1 6 sc", "1 6 sc in MR 6"
+        before = k - 1 - (k > 1 and tokens[k - 1].word in (".", "#"))
+        named = (
+            not k or tokens[before].word in _ROUNDS or tokens[k - 1].word in ("x", "*")
+        )  # "Rnd 1 6 sc", "R.1 6 sc", "dec x 6 6sts"
         if apart and one.value and not named and after.word in ("sts", "sc", "st", "stitches"):
             whole = Token("number", one.word + two.word, one.start, two.end, 10 * one.value + two.value, one.glued)
             return [*tokens[:k], whole, *_kerned(tokens[k + 2 :])]

@@ -35,7 +35,13 @@ def put(text: str, rows: list[Row], code: str) -> list[Row]:
     if code in ("us", "uk", "letters"):
         return rows
     terms = TERMS[code]
-    said = (*terms.words["stitch"], *terms.words["stitches"], *terms.stitches["sc"], *terms.words["round"])
+    said = (
+        *terms.words["stitch"],
+        *terms.words["stitches"],
+        *terms.stitches["sc"],
+        *terms.stitches["ch"],
+        *terms.words["round"],
+    )
     counted = frozenset(word.lower() for word in said) | {word.lower() for word in terms.words["and"]}
     short = _short(code)
     made = []

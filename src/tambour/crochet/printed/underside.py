@@ -25,6 +25,7 @@ _LONGEST: Final = 22
 def plainly_put(tokens: list[Token]) -> list[Token]:
     """``tokens`` with "turn the work and carry on along the bottom of the chain:" as "other side,"."""
     made: list[Token] = []
+    foreign = any(_names_side(t) for t in tokens if t.value == "side")
     at, begun = 0, False
     while at < len(tokens):
         before = tokens[at - 1] if at else None
@@ -63,7 +64,7 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
         begins = (
             not at or tokens[at - 1].word in _STOPS or tokens[at - 1].value == "and" or tokens[at - 1].kind == "number"
         )
-        end = _other(tokens, at, begun) if begins else at
+        end = max(_other(tokens, at, begun), _foreign(tokens, at) if foreign else at) if begins else at
         if end > at:
             first, last = tokens[at], tokens[end - 1]
             made += _sided(first, last)
@@ -170,6 +171,23 @@ def _from_link(tokens: list[Token], at: int, end: int) -> list[Token]:
 
 def _comma(last: Token, wanted: bool) -> list[Token]:
     return [Token("mark", ",", last.end, last.end)] if wanted else []
+
+
+def _names_side(token: Token) -> bool:
+    """Whether a word of another language names a side of the chain."""
+    english = "side" in token.word or not _SIDES.isdisjoint(token.word.split(" "))
+    return token.value == "side" and token.kind == "key" and not english
+
+
+def _foreign(tokens: list[Token], at: int) -> int:
+    """Where a clause of another language ends that names the other side of the chain and works nothing, "continuer de l'autre côté de la chaînette"."""
+    end = next(
+        (k for k in range(at, len(tokens)) if tokens[k].word in _STOPS or tokens[k].kind == "number"), len(tokens)
+    )
+    some = tokens[at:end]
+    named = any(_names_side(t) for t in some)
+    worked = any(t.kind == "stitch" and t.value != "ch" for t in some) or any(t.value in _LOOPS for t in some)
+    return end if named and not worked and len(some) <= _LONGEST // 2 else at
 
 
 def _other(tokens: list[Token], at: int, begun: bool) -> int:
