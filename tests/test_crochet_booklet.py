@@ -92,7 +92,14 @@ def test_ours_stand_next_to_her_sentence_and_are_known_as_ours() -> None:
     body = rows(shop("willa"), "BODY")
     words = [said for said, _ in body]
     eyes = next(k for k, said in enumerate(words) if "safety eyes" in said)
-    assert body[eyes + 1] == ("Each 6 stitches from the middle of the top.", True) and not body[eyes][1]
+    assert (
+        body[eyes + 1]
+        == (
+            "Each 6 stitches from the middle of the top, on Rnd 6 at st 13 and st 26.",
+            True,
+        )
+        and not body[eyes][1]
+    )
     assert body[-1] == (
         "The top pressed onto the underside, so that the end lies level, 6 stitches wide.",
         True,
@@ -145,8 +152,9 @@ def test_hands_are_told_what_they_must_know() -> None:
     )
     assert "spiral" not in _ways(joined)
     assert dict(_hows(shop("toadstool")))["French knot"] and set(dict(_hows(shop("willa")))) == {
-        "Backstitch"
-    }  # ours for her smile
+        "Backstitch",
+        "Whipstitch",
+    }  # ours, for her smile and for what she sews on
 
 
 def test_a_scarf_is_begun_in_the_chain_that_she_says() -> None:
@@ -377,7 +385,7 @@ def test_a_sentence_of_hers_that_tells_the_size_too_is_kept() -> None:
     ("toy", "named", "said"),
     [
         ("cat", "ears", "counted on round 5"),  # a cone has another number on every round
-        ("cat", "nose", "the threads lying level"),
+        ("cat", "nose", "the threads running across"),
         ("whale", "flukes", "At round 2"),
         ("whale", "smile", "in backstitch"),
         ("mushroom-house", "windows", "stitches from the middle of the front"),

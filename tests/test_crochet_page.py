@@ -335,7 +335,7 @@ def test_a_step_is_seen_from_where_its_part_is_not_hidden() -> None:
 
 def test_the_page_speaks_of_what_the_piece_has_in_the_spelling_of_its_designer() -> None:
     from tambour.crochet.page.book import Book
-    from tambour.crochet.page.booklet import care
+    from tambour.crochet.page.care import care
     from tambour.crochet.page.plain import spelled
 
     assert "plastic" in " ".join(care(Book(toy())))

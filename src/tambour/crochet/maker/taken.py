@@ -25,6 +25,8 @@ _SIDE: Final = 0.04
 _POINTS: Final = 0.42
 """A part points where this much of its way goes, as a cosine."""
 _APART: Final = re.compile(r"(\d+)\s+st(?:itche)?s?\s+apart")
+_NUMBERED: Final = re.compile(r"\b(?:sts?|stitch(?:es)?)\.? ?(?:nos?\.? )?\d")
+"""She says by their numbers which stitches."""
 _FLAT: Final = 0.25
 """An end is sewn flat where for so many of its stitches a pair is sewn to one another; the outermost are neighbours anyway."""
 _TOUCHES: Final = 1.2
@@ -88,7 +90,22 @@ class Taken:
             return ""
         off = [float(int(np.mean([abs(self.off(e.spot)[0]) for e in eyes]) + 0.01))]
         count = self.off(eyes[0].spot)[1]
-        return "".join(self._said([self.own["each"].format(what=self.from_middle(eyes[0].spot.part, off, count))]))
+        each = self.own["each"].format(what=self.from_middle(eyes[0].spot.part, off, count))
+        words = self.built.pattern.text.text[eyes[0].span.start : eyes[0].span.end].lower()
+        counted = "" if _NUMBERED.search(words) else self._counted([e.spot for e in eyes])
+        return "".join(self._said([each, counted]))
+
+    def _counted(self, spots: list[Spot]) -> str:
+        """At which stitches of their round two spots are, counted from its first; "" where they are on no one round."""
+        at = sorted(s.stitch for s in spots if s.stitch is not None)
+        if len(at) != 2 or len({int(s.round) for s in spots}) > 1:
+            return ""
+        n = int(spots[0].round)
+        if all(abs(s % 1.0 - 0.5) < 0.26 for s in at):
+            a, b = (int(s) for s in at)
+            return self.own["eyes between"].format(n=n, a=a, a2=a + 1, b=b, b2=b + 1)
+        a, b = (round(s) for s in at)
+        return self.own["eyes on"].format(n=n, a=a, b=b)
 
     def end(self, part: int) -> str:
         """How the end of a stuffed part lies that is sewn shut; "" where it stays open, or something is sewn to it."""
@@ -126,7 +143,8 @@ class Taken:
             return []
         if self.spots.place(first.spot).opening:
             rims = len(self.spots.sewn_rim(part)), len(self.spots.opening(host, first.spot.round))
-            return [own["took rim"].format(n=rims[0])] if rims[0] == rims[1] and rims[0] else []
+            seam = [own["took rim"].format(n=rims[0])] if rims[0] == rims[1] and rims[0] else []
+            return [*seam, *([own["took neck"]] if self.built.parts[part].stuffing and rims[0] else [])]
         rim = self.spots.rim(host)
         if len(rim) and self._lies(first.spot.part) and np.isin(self.spots.place(first.spot).nodes, rim).all():
             each = len(rim) // 2 // len(alike)
@@ -325,7 +343,7 @@ class Taken:
             p = graph.parts[self.spots.parts[record.part]]
             own = np.arange(p.start, p.end)
             ends = np.unique(self.sewn[(self.sewn >= p.start) & (self.sewn < p.end)])
-            if not len(ends):
+            if not len(ends) or self._pointed(record):
                 return []
             middle = piece.positions[ends].mean(0)
             way = piece.positions[own].mean(0) - middle
@@ -341,6 +359,12 @@ class Taken:
             way = self.own[f"way {key}"]
             said.append(way if share > 0.85 * strong[0][1] else self.own["slightly"].format(way=way))
         return [self.own["points"].format(ways=", ".join(said))] if said else []
+
+    def _pointed(self, record: Placed) -> bool:
+        """Whether her sentence says where a part points."""
+        ways = [self.own[f"way {key}"] for key in ("outwards", "upwards", "downwards", "forwards", "backwards")]
+        said = "|".join(re.escape(way.removesuffix("s")) for way in ways)
+        return re.search(rf"\b(?:{said})(?:s|wards?)?\b", self.words(record).lower()) is not None
 
     # -- places on a round ------------------------------------------------------------------------------------------
 

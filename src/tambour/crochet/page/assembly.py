@@ -16,6 +16,7 @@ from tambour.crochet.maker.size import skin
 from tambour.crochet.page.angle import angle, called
 from tambour.crochet.page.begin import paragraph, photo
 from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
+from tambour.crochet.page.care import care_room
 from tambour.crochet.page.flow import Atom, Chunk, plan
 from tambour.crochet.page.pictures import Step, from_side, lies, of_step, steps
 from tambour.crochet.page.type import BODY, HEAD, LEAD, SMALL, SOFT
@@ -28,8 +29,6 @@ _CLOSED = re.compile(
     re.IGNORECASE,
 )
 """How she says that an end is closed."""
-_CARE = 44.0
-"""Room that the words of care take below them, mm."""
 _LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
 _SMALL = 0.6
@@ -40,6 +39,8 @@ _SHARES = (0.85, 0.74, 0.62, 0.5, 0.38)
 """How high a step's picture is for its width: as high as costs no page."""
 _SIDES = 55.0
 """Room for the finished toy from its sides, mm."""
+_LOW_SIDES = 48.0
+"""The same where care is to stand below them, mm."""
 _GAP = 4.0
 """Between pictures, mm."""
 
@@ -79,22 +80,22 @@ def _step(
     book: Book, k: int, step: Step, view: tuple[float, float], lines: list[Atom], frame: Array, high: float
 ) -> Chunk:
     """The ``k``-th step, its picture ``high`` mm high, drawn when its place is known."""
-    width, names = book.frame.width, _names(book, step)
-    if step.fresh and (where := called(view)):
-        names += f" ({book.own[where]})"
-    head = f"{book.own['step'].format(n=k)}: {names}"
+    width = book.frame.width
+    where = book.own[called(view)] if step.fresh and called(view) else ""
+    head = f"{book.own['step'].format(n=k)}: {_names(book, step)}"
 
     def draw(sheet: Page, x: float, y: float) -> None:
         near = _near(book, step) if step.fresh else frame
         picture = of_step(book.album, step, near, view, round(width * DOTS), round(high * DOTS))
         sheet.image(picture, x, y, width, high, photo=True)
+        sheet.text(where, x + width - 1.6, y + high - 1.6, SMALL, color=SOFT, anchor="end")
         sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
 
     return Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head)
 
 
 def _pages(book: Book, chunks: list[Chunk]) -> int:
-    """How many columns the steps begin, and one more where the finished toy finds no room below them."""
+    """How many columns the steps begin, and one more where the finished toy, or care with it, finds no room below them."""
     frame = book.frame
     under = book.below[1] if book.pages else frame.top
     first, rest = plan(chunks, frame, under + HEAD * 1.2 + 3.0)
@@ -102,7 +103,9 @@ def _pages(book: Book, chunks: list[Chunk]) -> int:
     last = rest[(len(rest) - 1) // many * many :] if rest else []
     top = frame.top if rest else under
     deep = max((sum(c.height + c.above for c in column) for column in last or first), default=0.0)
-    return 2 * -(-len(rest) // many) + (top + deep + _SIDES > frame.bottom)
+    care = care_room(book)
+    sides = max(_SIDES, _LOW_SIDES + care) if care else _SIDES
+    return 2 * -(-len(rest) // many) + (top + deep + sides > frame.bottom)
 
 
 def _near(book: Book, step: Step) -> Array:
@@ -268,7 +271,8 @@ def finished(book: Book) -> None:
     sheet, y = book.below
     room = bottom - y - 1.6 * LEAD - 2.0 * SMALL
     if room >= _LOWEST * width:
-        high = min(high, room - _CARE if room - _CARE >= _LOWEST * width else room)
+        care = care_room(book)
+        high = min(high, room - care if room - care >= _LOWEST * width else room)
     if room < high:
         sheet, y = book.page(short(book, book.own["finished"])), TOP
     else:

@@ -9,7 +9,7 @@ from typing import Final
 from tambour.core.picture import Picture
 from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.language.finishes import Embroidery, Finish, Placed
-from tambour.crochet.maker.materials import materials
+from tambour.crochet.maker.materials import TAIL, materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import OWN, Book, cropped, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
@@ -54,6 +54,12 @@ _JOINS: Final = re.compile(
 )
 """How a line says that its round is joined, and no part to another."""
 _BETWEEN: Final = re.compile(r"\b(?:between|betw?\.|zwischen|entre|tussen)", re.IGNORECASE)
+_CLOSES: Final = re.compile(
+    r"\bclos(?:e|ed|ing)\b(?: up)? (?:the |up )?(?:hole|opening|top|end|piece|remaining)\b|^close\b"
+)
+"""How she has a hole closed."""
+_THROUGH: Final = re.compile(r"\b(?:through|thread|weave)\b[^.]{0,40}\b(?:loops?|last|remaining)\b")
+"""How she says how that is done."""
 _NAME: Final = 3
 """What says no more words than this of a thing names it and explains nothing."""
 LEFTOVER = 5.0
@@ -136,7 +142,7 @@ def begin(book: Book) -> None:
     if said:
         name = word("abbreviations")
         chunks += together(heading(book, name, width, book.said.named), said, name)
-    explained = (*_ring(book), *book.said.special, *_hows(book))
+    explained = (*_ring(book), *book.said.special, *_hows(book), *_closing(book))
     special = [pair(said, meaning, width, 0.3) for said, meaning in explained]
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
@@ -149,11 +155,11 @@ def begin(book: Book) -> None:
         said_ = [own["below text" if lying else "front text"]]
         if book.hers is None or book.code not in ("us", "uk") or "apart" in pattern.text.text.lower():
             said_.append(own["apart below" if lying else "apart text"])
-        if book.hers is not None and any(_ranges(book, record) for record in pattern.finish):
+        if book.hers is not None and any(_between(book, record) for record in pattern.finish):
             said_.append(own["between text"])
         notes += paragraph(" ".join(said_), width, space=1.4)
     if any(isinstance(record, Placed) for record in pattern.finish):
-        notes += paragraph(own["tail text"], width, space=1.4)
+        notes += paragraph(_tails(book), width, space=1.4)
         notes += paragraph(own["new"], width, space=1.4)
         if book.hers is not None:
             notes += paragraph(own["ours text"], width, space=1.4)
@@ -179,12 +185,11 @@ def _meant(book: Book, word: str) -> list[str]:
     ]
 
 
-def _ranges(book: Book, record: Finish) -> bool:
-    """Whether her sentence has something between rounds that are no neighbours."""
+def _between(book: Book, record: Finish) -> bool:
+    """Whether her sentence has something between rounds."""
     if not isinstance(record, Placed | Embroidery) or _BETWEEN.search(book.words_of(record)) is None:
         return False
-    hers = book.taken.rounds(record)
-    return bool(hers) and hers[1] - hers[0] > 1
+    return bool(book.taken.rounds(record))
 
 
 def _ways(book: Book) -> list[str]:
@@ -229,12 +234,32 @@ def _hows(book: Book) -> list[tuple[str, str]]:
         return []
     pattern = book.piece.built.pattern
     ours = book.taken([r for r in pattern.finish if isinstance(r, Embroidery) and book.words_of(r)])
-    text = " ".join([pattern.text.text, *ours])
+    tails = [_tails(book)] if any(isinstance(record, Placed) for record in pattern.finish) else []
+    text = " ".join([pattern.text.text, *ours, *tails])
     found = [
         (word, re.search(rf"\b{word.replace(' ', ' ?')}(?:es|s)?\b(?!\s*[=:(–-])", text, re.IGNORECASE))
         for word in _HOWS
     ]
     return [(word.capitalize(), book.own[f"how {word}"]) for word, there in found if there]
+
+
+def _tails(book: Book) -> str:
+    """How much yarn is left to sew parts on with, and how that is done: as much as the list of yarns counts for it."""
+    much = f"{book.number(100.0 * TAIL, 0)} cm"
+    return book.own["tail text"].format(
+        length=f"{much} ({book.number(TAIL / 0.0254, 0)} in)" if book.imperial else much
+    )
+
+
+def _closing(book: Book) -> list[tuple[str, str]]:
+    """How a hole is closed, where a line has one closed, and she does not say how."""
+    closes = book.said.terms.sentences["close"].lower()
+    said = [row.words.lower() for block in book.said.blocks for row in block.lines if not row.label]
+    if not any(closes in words or (book.code in ("us", "uk") and _CLOSES.search(words)) for words in said):
+        return []
+    if any(_THROUGH.search(words) for words in said):
+        return []
+    return [(book.own["closing"], book.own["how close"])]
 
 
 def _of_hers(book: Book) -> list[tuple[str, str]]:

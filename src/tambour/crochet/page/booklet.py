@@ -9,16 +9,17 @@ import numpy as np
 
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
-from tambour.crochet.language.finishes import Embroidery, Eye
+from tambour.crochet.language.finishes import Embroidery
 from tambour.crochet.maker.size import skin, whole_size
 from tambour.crochet.page.assembly import assembly, finished
 from tambour.crochet.page.begin import begin, heading, paragraph
-from tambour.crochet.page.book import FOOT, MARGIN, TOP, WHITE, Book, along, cropped, cut, short, weight_name
+from tambour.crochet.page.book import MARGIN, WHITE, Book, along, cropped, cut, short, weight_name
+from tambour.crochet.page.care import set_care
 from tambour.crochet.page.charted import charts
 from tambour.crochet.page.flow import flow, together
 from tambour.crochet.page.parts import rounds
 from tambour.crochet.page.pictures import whole
-from tambour.crochet.page.type import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, wrap
+from tambour.crochet.page.type import COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, wrap
 from tambour.render.page import Page
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     if not book.low:
         finished(book)
     charts(book)
-    _care(book, since)
+    set_care(book, since)
     total = len(book.pages)
     foot = book.title if not book.designer else f"{book.title} · {book.designer}"
     for k, sheet in enumerate(book.pages):
@@ -153,32 +154,3 @@ def _hers(book: Book, sheet: Page, tall: float) -> None:
 def _white() -> Picture:
     """A white ground for words on a photo."""
     return Picture(np.full((2, 2, 4), 255, np.uint8))
-
-
-def care(book: Book) -> list[str]:
-    """How the piece is washed, and what it takes to be safe for small children: of eyes and parts that it has."""
-    built = book.piece.built
-    if any(isinstance(record, Eye) for record in built.pattern.finish):
-        return [book.own["care text"], book.own["care eyes"]]
-    return [book.own["care text"], *([book.own["care parts"]] if len(built.graph.parts) > 1 else [])]
-
-
-def _care(book: Book, since: int) -> None:
-    """Care, at the foot of the last page that has room, none before page ``since`` (the last of the rounds), else with
-    what is needed, else on one of its own."""
-    own = book.own
-    wide, high = book.size
-    room = wide - 2 * MARGIN - 12.0
-    text = wrap(" ".join(care(book)), BODY, room)
-    small = wrap(own["made"], SMALL, room)
-    tall = 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
-    fit = [*book.pages[:since:-1], *book.pages[1:2]]  # with what is needed, before it takes a page for itself
-    sheet = next((s for s in fit if s.lowest + tall + 8.0 <= high - FOOT), None)
-    if sheet is None:
-        sheet, y = book.page(short(book, own["care"])), TOP
-    else:
-        y = high - FOOT - tall
-    sheet.box(MARGIN, y, wide - 2 * MARGIN, tall, None if book.low else PAPER, HAIR if book.low else None, 0.2, 2.0)
-    sheet.text(own["care"], MARGIN + 6.0, y + 8.0, LEAD, True, book.accent)
-    y = sheet.paragraph(text, MARGIN + 6.0, y + 14.0, BODY)
-    sheet.paragraph(small, MARGIN + 6.0, y + 1.0, SMALL, color=SOFT)

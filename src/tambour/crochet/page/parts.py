@@ -296,7 +296,12 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
     if eyes and not any("eye" in words.lower() for _, words, _ in said):
         level = max(r.spot.round for r in eyes)
         last = max((row.count for row in rows), default=0)
-        open_ = [k for k, row in enumerate(rows) if row.number >= level and 2 * row.count >= last]
+        open_ = next(
+            found
+            for share in (0.66, 0.5, 0.0)  # fingers and a washer want room, and as much of it as there is
+            if (found := [k for k, row in enumerate(rows) if row.number >= level and row.count >= share * last > 0.0])
+            or not share
+        )
         at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
         hers = book.words_of(eyes[0]) if _alone(book, eyes) else ""
         rows.insert(at, Row("", eyes_now(book.own, [hers.rstrip(".") + "."] if hers else book.spoken(eyes))))
