@@ -81,21 +81,22 @@ def _step(
 ) -> Chunk:
     """The ``k``-th step, its picture ``high`` mm high, drawn when its place is known."""
     width = book.frame.width
-    where = book.own[called(view)] if step.fresh and called(view) else ""
+    where = called(view) if step.fresh else ""
+    seen = book.own[where] if where else ""
     head = f"{book.own['step'].format(n=k)}: {_names(book, step)}"
 
     def draw(sheet: Page, x: float, y: float) -> None:
         near = _near(book, step) if step.fresh else frame
         picture = of_step(book.album, step, near, view, round(width * DOTS), round(high * DOTS))
         sheet.image(picture, x, y, width, high, photo=True)
-        sheet.text(where, x + width - 1.6, y + high - 1.6, SMALL, color=SOFT, anchor="end")
+        sheet.text(seen, x + width - 1.6, y + high - 1.6, SMALL, color=SOFT, anchor="end")
         sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
 
     return Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head)
 
 
-def _pages(book: Book, chunks: list[Chunk]) -> int:
-    """How many columns the steps begin, and one more where the finished toy, or care with it, finds no room below them."""
+def _pages(book: Book, chunks: list[Chunk]) -> tuple[int, bool]:
+    """How many columns the steps begin, and one more where the finished toy finds no room below them; then whether care does not."""
     frame = book.frame
     under = book.below[1] if book.pages else frame.top
     first, rest = plan(chunks, frame, under + HEAD * 1.2 + 3.0)
@@ -103,9 +104,8 @@ def _pages(book: Book, chunks: list[Chunk]) -> int:
     last = rest[(len(rest) - 1) // many * many :] if rest else []
     top = frame.top if rest else under
     deep = max((sum(c.height + c.above for c in column) for column in last or first), default=0.0)
-    care = care_room(book)
-    sides = max(_SIDES, _LOW_SIDES + care) if care else _SIDES
-    return 2 * -(-len(rest) // many) + (top + deep + sides > frame.bottom)
+    room, care = frame.bottom - top - deep, care_room(book)
+    return 2 * -(-len(rest) // many) + (room < _SIDES), care > 0.0 and room < _LOW_SIDES + care
 
 
 def _near(book: Book, step: Step) -> Array:

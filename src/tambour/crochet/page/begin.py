@@ -12,7 +12,8 @@ from tambour.crochet.language.finishes import Embroidery, Finish, Placed
 from tambour.crochet.maker.materials import TAIL, materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import OWN, Book, cropped, short, size_lines, weight_name, yarn_name
-from tambour.crochet.page.flow import Atom, Chunk, flow, together
+from tambour.crochet.page.care import care
+from tambour.crochet.page.flow import Atom, Chunk, flow, plan, together
 from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.page.written import sections
 from tambour.render.page import Page
@@ -138,6 +139,7 @@ def begin(book: Book) -> None:
         rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
     chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
+    measured = len(chunks)
     said = [pair(word_, meaning, width, 0.26) for word_, meaning in _merged(book)]
     if said:
         name = word("abbreviations")
@@ -164,7 +166,21 @@ def begin(book: Book) -> None:
         if book.hers is not None:
             notes += paragraph(own["ours text"], width, space=1.4)
     chunks += together(heading(book, own["notes"], width), notes, own["notes"])
+    cared = [
+        *chunks[:measured],
+        Chunk([*heading(book, own["care"], width), *_care(book, width)], own["care"]),
+        *chunks[measured:],
+    ]
+    fits = [len(plan(some, book.frame, book.frame.bottom)[1]) for some in (chunks, cared)]
+    if len(book.frame.lefts) > 1 and fits[1] <= min(fits[0], len(book.frame.lefts)):
+        chunks, book.cared = cared, True  # white that the columns leave, rather than a page of its own at the end
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
+
+
+def _care(book: Book, width: float) -> list[Atom]:
+    """How the piece is washed, in a column."""
+    told = [atom for k, words in enumerate(care(book)) for atom in paragraph(words, width, space=1.4 if k else 0.0)]
+    return [*told, *paragraph(book.own["made"], width, SMALL, SOFT, 1.0)]
 
 
 def _ring(book: Book) -> list[tuple[str, str]]:

@@ -84,7 +84,7 @@ class Book:
     taken : says what the pictures have where she leaves something open
     sized : the finished size in her words, "" where she says none; accent : a colour for headings, the main yarn's, dark enough to read
     photos : the designer's own, (where in her text, picture), the first for the cover; low : little ink is used
-    scale : how much larger than they are set its pages are printed
+    scale : how much larger than they are set its pages are printed; cared : whether care is set already
     """
 
     def __init__(self, piece: Plush) -> None:
@@ -113,6 +113,7 @@ class Book:
         self.album.backdrop = WHITE if self.low else BACKDROP
         self.photos = photos(piece.built.pattern.text)
         self.pages: list[Page] = []
+        self.cared = False
         self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
         self.accent = _readable(_main(piece))
 

@@ -19,7 +19,9 @@ def care(book: Book) -> list[str]:
 
 
 def care_room(book: Book) -> float:
-    """How much of a page the box takes, mm; 0 where there is room for it with what is needed, before the rounds."""
+    """How much of a page the box takes, mm; 0 where it is set already, or there is room for it before the rounds."""
+    if book.cared:
+        return 0.0
     tall = _lines(book)[2] + _ABOVE
     return 0.0 if any(sheet.lowest + tall <= book.size[1] - FOOT for sheet in book.pages[1:2]) else tall
 
@@ -33,7 +35,9 @@ def _lines(book: Book) -> tuple[list[str], list[str], float]:
 
 def set_care(book: Book, since: int) -> None:
     """Care, at the foot of the last page that has room, none before page ``since`` (the last of the rounds), else with
-    what is needed, else on one of its own."""
+    what is needed, else on one of its own; nothing where it is set already."""
+    if book.cared:
+        return
     wide, high = book.size
     text, small, tall = _lines(book)
     fit = [*book.pages[:since:-1], *book.pages[1:2]]  # with what is needed, before it takes a page for itself
