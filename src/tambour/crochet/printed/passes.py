@@ -22,6 +22,10 @@ class _Pass:
     any: frozenset[str] = frozenset()
     together: tuple[frozenset[str], ...] = ()
 
+    def concerns(self, said: set[str]) -> bool:
+        """Whether a line with such words and meanings may be changed."""
+        return not self.any.isdisjoint(said) or any(words <= said for words in self.together)
+
 
 def _all(*said: str) -> tuple[frozenset[str], ...]:
     return tuple(frozenset(one.split()) for one in said)
@@ -49,7 +53,11 @@ _PASSES: Final = (
     _Pass(shorthand.grown, shorthand.SAYING | {_GROWN}, _all("each round", "each row")),
     _Pass(hooks.unsized, frozenset(("hook",))),
     _Pass(corners.grouped, corners.PLACES),
-    _Pass(underside.plainly_put, underside.SIDES, (frozenset(("ch", _ORDINAL)), frozenset(("ch", "begin")))),
+    _Pass(
+        underside.plainly_put,
+        underside.SIDES,
+        (frozenset(("ch", _ORDINAL)), *_all("ch begin", "back along", "back down")),
+    ),
 )
 
 
@@ -57,7 +65,7 @@ def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, put as most patterns have them: "sc twice in next st" as "2 sc in next st"."""
     said = _said(tokens)
     for one in _PASSES:
-        if not one.any.isdisjoint(said) or any(words <= said for words in one.together):
+        if one.concerns(said):
             made = one.put(tokens)
             if made != tokens:
                 tokens, said = made, _said(made)

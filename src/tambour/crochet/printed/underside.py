@@ -13,11 +13,13 @@ _LEADS: Final = frozenset(
 _SIDES: Final = frozenset(
     "other opposite bottom underside under lower free unused remaining backside reverse second".split()
 )
-SIDES: Final = _SIDES | {"side"}
 _CHAINS: Final = frozenset(
     "chain chains foundation starting beginning initial base original first side loops loop edge".split()
 )
 _LOOPS: Final = frozenset(("back loops", "front loops", "blo", "flo", "bumps"))
+_FREE: Final = frozenset("free unused remaining rem other opposite unworked".split())
+SIDES: Final = _SIDES | _LOOPS | _FREE | {"side"}
+"""Words of which a line has one where it may go on along the other side of its chain; or it goes back along it."""
 _STOPS: Final = (",", ".", ";", ":", "-", "(", "[", "*")
 _LONGEST: Final = 22
 
@@ -106,7 +108,6 @@ def _in_first(tokens: list[Token], at: int) -> int:
     return at + 5 if first and said[1].value in ("ch", "stitch", "place") else at
 
 
-_FREE: Final = frozenset("free unused remaining rem other opposite unworked".split())
 _REACH: Final = 5  # tokens
 
 
