@@ -41,8 +41,8 @@ _IDIOMS: Final = tuple(
         (r"(sts?|stitch|stitches|sc|dc|hdc) (?:of|from|in) (?:the )?(?:previous|prev|preceding) (?:round|rnd|row)", "{1}"),
         (r"(every|each) single (st|stitch)", "{1} {2}"),
         (r"(?:keep going|keep on|carry on|go on|continue|continue on)(?: like this)? :", ""),
-        (r"scblo", "sc in blo"),
-        (r"scflo", "sc in flo"),
+        (r"(\d+) scblo", "{1} sc in blo"),  # without a number it may be a stitch of the pattern's own
+        (r"(\d+) scflo", "{1} sc in flo"),
         (r"(blo|flo) -", "{1} :"),
         # the same round once more
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),

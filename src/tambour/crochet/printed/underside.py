@@ -176,7 +176,7 @@ def _comma(last: Token, wanted: bool) -> list[Token]:
 
 def _names_side(token: Token) -> bool:
     """Whether a word of another language names a side of the chain."""
-    english = "side" in token.word or not _SIDES.isdisjoint(token.word.split(" "))
+    english = "side" in token.word or "loop" in token.word or not _SIDES.isdisjoint(token.word.split(" "))
     return token.value == "side" and token.kind == "key" and not english
 
 
