@@ -188,3 +188,14 @@ def test_the_bottom_of_a_body_is_no_other_side_of_a_chain() -> None:
     begun = "BODY\nBeginning at bottom of body with A, ch 2.\nRnd 1: 6 sc in 2nd ch from hook. (6)\nRnd 2: 2 sc in each sc around. (12)\n"
     pattern = read(Text(f"Toy\n\nMATERIALS\nYarn: A = blue, B = cream\n\n{begun}", "toy.txt"))
     assert [p.name for p in pattern.parts] == ["BODY"]
+
+
+@pytest.mark.parametrize("blue", ["blue", "dusty blue", "light dusty blue"])
+@pytest.mark.parametrize("brackets", ["()", "[]"])
+def test_the_last_stitches_of_a_round_behind_a_yarn_in_brackets_are_no_count(blue: str, brackets: str) -> None:
+    one, two = (f"{brackets[0]}{yarn}{brackets[1]}" for yarn in (blue, "white"))
+    text = (
+        f"Ball\n\nMaterials: white yarn, {blue} yarn\n\nBALL\nWith {blue}:\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n"
+        f"Rnd 3: {one} 4 sc, {two} 4 sc, {one} 4 sc (12)\nRnd 4: {two} 4 sc, {one} 8 sc (12)\n"
+    )
+    assert counts(text) == [[6, 12, 12, 12]]

@@ -101,6 +101,16 @@ def count(r: Reader, found: list[Item]) -> bool:
         r, sign
     ):
         return False
+    if (
+        not sign
+        and c.mark(")", "]", ahead=-1)
+        and found
+        and isinstance(found[-1], Action)
+        and found[-1].name == "color"
+    ):
+        inside = c.look(-2)
+        if inside is not None and inside.end == found[-1].span.end:
+            return False  # "(dusty blue) 4 sc (12)": those are worked in it
     alone = c.mark(".", "|", ";", "-", ")", "]", ahead=-1) or c.key("join", "turn", "around", ahead=-1)
     alone = alone or (
         c.mark(",", ahead=-1) and c.key("join", ahead=-2) and not c.key("as", ahead=-3) and any(map(makes, found))
