@@ -199,3 +199,24 @@ def test_the_last_stitches_of_a_round_behind_a_yarn_in_brackets_are_no_count(blu
         f"Rnd 3: {one} 4 sc, {two} 4 sc, {one} 4 sc (12)\nRnd 4: {two} 4 sc, {one} 8 sc (12)\n"
     )
     assert counts(text) == [[6, 12, 12, 12]]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Cut the dusty blue yarn and carry on with white only.",
+        "Carry on with white only.",
+        "Continue in white alone.",
+        "From here on work with white only.",
+        "The rest is worked in white.",
+        "The rest of the body is worked in white only.",
+    ],
+)
+def test_a_yarn_is_taken_up_alone_and_for_all_the_rest(words: str) -> None:
+    text = (
+        "Ball\n\nMaterials: white yarn, dusty blue yarn\n\nBALL\nWith dusty blue:\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n"
+        f"{words}\nRnd 3: sc around (12)\nRnd 4: sc around (12)\n"
+    )
+    pattern = read(Text(text, "ball.txt"))
+    colors = build(pattern).graph.color.tolist()
+    assert not told(pattern) and colors[-1] != colors[0] == colors[17]

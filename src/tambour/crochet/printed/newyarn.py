@@ -19,7 +19,7 @@ _COLOR: Final = r"(?:colou?r |yarn |contrast )?"
 
 
 def _hue(name: str) -> str:
-    return rf"{_THE}{_COLOR}(?P<{name}>{_NOT}[a-z]+(?: {_NOT}[a-z]+)?|(?:(?<=color )|(?<=colour )|(?<=yarn ))[1-9])(?: yarn| colou?red yarn)?"
+    return rf"{_THE}{_COLOR}(?P<{name}>{_NOT}[a-z]+(?: (?!only\b|alone\b){_NOT}[a-z]+)?|(?:(?<=color )|(?<=colour )|(?<=yarn ))[1-9])(?: yarn| colou?red yarn)?(?: only| alone)?"
 
 
 def _ends(name: str) -> str:
@@ -33,6 +33,7 @@ _OLD: Final = rf"(?:drop|leave|cut|cut off|break|break off|fasten off|let go of|
 _TURN_TO: Final = r"(?:chang\w+|switch\w*|swap\w*|go|going|mov\w+ on|return|returning)(?: over| back)?(?: (?:the |your )?(?:yarn|colou?rs?))? (?:to|for)"
 _TAKE: Final = (
     r"(?:attach|tie on|tie in|join in|add in|add|bring in|bring back|introduce|pick up|picking up|take up|back to|start using|begin using|now use|"
+    r"(?:the )?(?:rest|remainder)(?: of (?:the |this |it )?\w*)? is (?:all )?(?:worked|made|crocheted|done) (?:in|with|using)|"
     r"(?:now )?(?:continue|carry on|go on|proceed|keep going) (?:in|with|using)|now (?:in|with))"
 )
 _HERE: Final = r"from (?:here|now)(?: on| onwards?)?"
