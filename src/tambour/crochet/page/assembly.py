@@ -19,6 +19,7 @@ from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, sho
 from tambour.crochet.page.care import care_room
 from tambour.crochet.page.flow import Atom, Chunk, plan
 from tambour.crochet.page.pictures import Step, from_side, lies, of_step, steps
+from tambour.crochet.page.placement import placement
 from tambour.crochet.page.type import BODY, HEAD, LEAD, SMALL, SOFT
 from tambour.render.page import Page
 
@@ -65,14 +66,14 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
             for note in notes:
                 lines += paragraph(f"› {note}", width, size, None, 0.9)
         told.append((angle(piece, step.parts, step.fresh, " ".join(said)), lines))
-    tried = []
+    charts, tried = placement(book), []
     single = len(book.frame.lefts) == 1  # in a wide column lower ones are large enough
     for share in _SHARES[1:] if single else _SHARES[:-1]:
         chunks = [
             _step(book, k, step, view, lines, frame, width * share)
             for k, (step, (view, lines)) in enumerate(zip(found, told), 1)
         ]
-        tried.append(_with_hers(book, found, chunks))
+        tried.append([*charts, *_with_hers(book, found, chunks)])
     return min(tried, key=lambda chunks: _pages(book, chunks))
 
 

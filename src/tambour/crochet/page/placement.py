@@ -1,0 +1,272 @@
+"""Placement: charts of the parts that others are sewn to: their rounds, numbered, and every seam, pressed flat onto the paper."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import atan2, cos, pi, sin
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import shapely
+
+from tambour.core.check import Array
+from tambour.core.graph import SEWN
+from tambour.core.rgb import RGB
+from tambour.crochet.finish.sewing import end_of
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.page.begin import paragraph
+from tambour.crochet.page.flow import Atom, Chunk
+from tambour.crochet.page.type import BODY, HAIR, INK, SMALL, SOFT, width_of, wrap
+from tambour.geometry.motion import dot, turned
+from tambour.geometry.surface import vertex_normals
+
+if TYPE_CHECKING:
+    from tambour.crochet.page.book import Book
+    from tambour.render.page import Page
+
+_VIEWS: Final = {
+    "front": (0.0, 0.0),
+    "back": (pi, 0.0),
+    "its left": (0.5 * pi, 0.0),
+    "its right": (-0.5 * pi, 0.0),
+    "above": (0.0, 0.5 * pi),
+    "below": (0.0, -0.5 * pi),
+}
+"""From where a part is drawn: azimuth and elevation, by the page's words; the front before all others."""
+_FACING: Final = 0.02
+"""What faces the eye less than this, as a cosine, is behind the edge."""
+_SHOWN, _ENOUGH = 0.3, 0.45
+"""A seam is shown where so much of it is on the side that is looked at, and shown well enough: of arms at the sides it is half."""
+_HIGH: Final = 38.0
+"""How high a chart is at the most, mm."""
+_LEAST: Final = (4, 18)
+"""A part of fewer rounds, or of fewer stitches in the longest, needs no chart: there is little to count."""
+_EVEN: Final = 3
+"""How often stitches are moved between their neighbours."""
+_NUMBER: Final = 2.3
+"""Type of the rounds' numbers, and the least way from one to the next, mm."""
+_LEFT, _RIGHT = 0.3, 0.12
+"""Room beside the part for the names of what is sewn to it, and for the rounds' numbers, of the column's width."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Mark:
+    """Something on a part: its name ("" an eye), the points (P, 3) that it is sewn to and the fabric's normals there, its colour, whether
+    it is sewn on all round it, and the rounds that it takes."""
+
+    name: str
+    points: Array
+    normals: Array
+    color: RGB
+    ring: bool
+    rounds: tuple[int, ...]
+
+
+def placement(book: Book) -> list[Chunk]:
+    """A chart for every part in rounds that others are sewn to, from the one or two sides that show most of their seams; before the
+    first what the charts mean."""
+    built, x = book.piece.built, book.piece.positions
+    spots, made, done = Spots(built), list[Chunk](), set[int]()
+    for record in built.pattern.finish:
+        host = spots.parts.get(record.spot.part, -1) if isinstance(record, Placed) else -1
+        counts = [r.count for r in built.rounds if r.part == host and not r.aside]
+        if host in done or spots.in_rows[host] or len(counts) < _LEAST[0] or max(counts) < _LEAST[1]:
+            continue
+        done.add(host)
+        normals = vertex_normals(x, spots.faces(host))
+        marks = _marks(book, spots, host, normals)
+        if any(mark.name for mark in marks):
+            made += [_chart(book, spots, host, side, marks, normals) for side in _sides(marks)]
+    if made:
+        made[0].atoms[:0] = paragraph(book.own["placement"], book.frame.width, BODY)
+    return made
+
+
+def _marks(book: Book, spots: Spots, host: int, normals: Array) -> list[_Mark]:
+    """What is sewn to a part away from its open end, and its eyes."""
+    built, x = book.piece.built, book.piece.positions
+    graph, made = built.graph, list[_Mark]()
+    pairs = graph.edges[graph.edge_kind == SEWN]
+    of = graph.part[pairs]
+    rim = spots.sewn_rim(host)
+    number = {int(n): spots.numbers[k] for k, r in enumerate(built.rounds) if r.part == host for n in spots.stitches(k)}
+    for record in built.pattern.finish:
+        if not isinstance(record, (Placed, Eye)) or spots.parts.get(record.spot.part, -1) != host:
+            continue
+        if isinstance(record, Eye):
+            place = spots.place(record.spot)
+            at, way = (np.average(v[list(place.nodes)], axis=0, weights=place.weights)[None] for v in (x, normals))
+            between = (int(record.spot.round), int(np.ceil(record.spot.round)))
+            made.append(_Mark("", at, way, record.color, True, between))
+            continue
+        part = spots.parts[record.part]
+        mine = (of == (part, host)).all(1), (of == (host, part)).all(1)
+        held = np.unique(np.concatenate([pairs[mine[0], 1], pairs[mine[1], 0]]))
+        if record.through or len(held) < 2 or np.isin(held, rim).mean() > 0.5:
+            continue
+        name = built.pattern.parts[built.parts[part].section].name
+        r, g, b = (int(v) for v in np.median(graph.color[graph.part == part], axis=0))
+        rounds = tuple(sorted({number[n] for n in held.tolist() if n in number}))
+        end = end_of(built, spots, record)
+        made.append(_Mark(book.called(name), x[held], normals[held], (r, g, b), end.ring or end.laid, rounds))
+    return made
+
+
+def _facing(side: str) -> Array:
+    """The directions right, down and towards the eye of a view, the rows of a matrix (3, 3)."""
+    a, e = _VIEWS[side]
+    right = np.array([cos(a), 0.0, -sin(a)])
+    back = np.array([cos(e) * sin(a), sin(e), cos(e) * cos(a)])
+    return np.stack([right, np.cross(right, back), back])
+
+
+def _share(marks: Sequence[_Mark], side: str) -> Array:
+    """How much of each mark is on a side; copies of a part on the same rounds count together, as one sees them as a pair."""
+    back = _facing(side)[2]
+    ahead = np.array([(dot(mark.normals, back) > _FACING).mean() for mark in marks])
+    pairs = [(mark.name, mark.rounds) for mark in marks]
+    return np.array([ahead[[k for k, other in enumerate(pairs) if other == pair]].mean() for pair in pairs])
+
+
+def _sides(marks: Sequence[_Mark]) -> list[str]:
+    """The side that shows most of what is sewn on, and the one that shows most of what is not seen there, where it is much of anything."""
+    some = [mark for mark in marks if mark.name]
+    share = {side: np.minimum(_share(some, side), _ENOUGH) for side in _VIEWS}
+    first = max(_VIEWS, key=lambda side: round(float(share[side].sum()), 1))  # of equals the first
+    more = {side: np.maximum(share[side] - share[first], 0.0) for side in _VIEWS}
+    second = max(_VIEWS, key=lambda side: round(float(more[side].sum()), 1))
+    return [first, second] if more[second].max() >= _SHOWN else [first]
+
+
+def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark], normals: Array) -> Chunk:
+    """One side of a part, pale in its colour: its rounds as lines of stitches with their numbers, and what is sewn on in its own colour."""
+    built, x, width = book.piece.built, book.piece.positions, book.frame.width
+    view, faces = _facing(side), spots.faces(host)
+    nodes = np.unique(faces)
+    seen = turned(x[nodes], view)[:, :2]
+    low, high = seen.min(0), seen.max(0)
+    room = width * (1.0 - _LEFT - _RIGHT)
+    scale = min(room / float(high[0] - low[0]), _HIGH / float(high[1] - low[1]))
+    wide, tall = (scale * (high - low)).tolist()
+    start = width * _LEFT + 0.5 * (room - wide)
+
+    def on(points: Array) -> Array:
+        return np.asarray((turned(points, view)[:, :2] - low) * scale + (start, 0.0))
+
+    pale = tuple(round(0.3 * float(v) + 0.7 * 255) for v in np.median(built.graph.color[nodes], axis=0))
+    flat, ahead = on(_evened(spots, host, x)), dot(normals, view[2]) > _FACING
+    lines, numbers = _rounds(spots, host, flat, ahead, side in ("above", "below"))
+    shown = [mark for mark, share in zip(marks, _share(marks, side)) if share >= _SHOWN]
+    wanted = {n for mark in shown for n in (*mark.rounds[:1], *mark.rounds[-1:])}
+    name = built.pattern.parts[built.parts[host].section].name
+    head = f"{book.called(name)}, {book.own[side]}"
+
+    def draw(sheet: Page, x0: float, y0: float) -> None:
+        at = np.array([x0, y0])
+        sheet.rings(flat[faces[ahead[faces].any(1)]] + at, pale, pale, 0.15)
+        for line in lines:
+            sheet.shape(line + at, None, SOFT, 0.12)
+        sheet.circles(np.concatenate(lines) + at, 0.3, SOFT)
+        if side == "front":
+            _middle(sheet, spots, host, flat + at, ahead)
+        for mark in shown:
+            _sewn(sheet, mark, on(mark.points) + at)
+        for n, spot in _spaced(numbers, wanted):
+            column, y = x0 + start + wide + 2.5, y0 + float(spot[1])
+            sheet.line(x0 + float(spot[0]) + 0.5, y, column - 0.5, y, HAIR, 0.15)
+            sheet.text(str(n), column, y + 0.36 * _NUMBER, _NUMBER, n in wanted, INK if n in wanted else SOFT)
+        _names(sheet, [(mark.name, on(mark.points) + at) for mark in shown if mark.name], x0, start - 2.0, y0, tall)
+        sheet.text(head, x0, y0 + tall + SMALL + 1.8, SMALL, color=SOFT)
+
+    return Chunk([Atom(tall + SMALL + 3.0, draw, 4.0)], head)
+
+
+def _evened(spots: Spots, host: int, x: Array) -> Array:
+    """The stitches (N, 3) with each round's as even as a chart has them: each between its neighbours, but for a round's first and last."""
+    made = x.copy()
+    for k, r in enumerate(spots.built.rounds):
+        nodes = spots.stitches(k)
+        if r.part == host and len(nodes) > 2:
+            for _ in range(_EVEN):
+                made[nodes[1:-1]] = 0.5 * made[nodes[1:-1]] + 0.25 * (made[nodes[:-2]] + made[nodes[2:]])
+    return made
+
+
+def _rounds(spots: Spots, host: int, flat: Array, ahead: Array, level: bool) -> tuple[list[Array], dict[int, Array]]:
+    """The rounds of a part as far as they are ``ahead`` (N,), lines (P, 2) in order, and where each is furthest to the right, or down
+    where they lie ``level``: by number."""
+    lines, numbers = list[Array](), dict[int, Array]()
+    for k, r in enumerate(spots.built.rounds):
+        nodes = spots.stitches(k)
+        if r.part != host or r.aside or not len(nodes) or not ahead[nodes].any():
+            continue
+        hidden = np.flatnonzero(~ahead[nodes])
+        ring = np.roll(nodes, -int(hidden[0])) if len(hidden) else np.append(nodes, nodes[0])
+        cuts = np.flatnonzero(np.diff(ahead[ring].astype(int))) + 1
+        shown = [flat[run] for run in np.split(ring, cuts) if ahead[run[0]]]
+        lines += shown
+        points = np.concatenate(shown)
+        numbers[spots.numbers[k]] = points[np.argmax(points[:, 1 if level else 0])]
+    return lines, numbers
+
+
+def _spaced(numbers: dict[int, Array], wanted: set[int]) -> list[tuple[int, Array]]:
+    """The numbers that find room above each other: those that are ``wanted``, then fives, then the others."""
+    made: list[tuple[int, Array]] = []
+    for n in sorted(numbers, key=lambda n: (n not in wanted, n % 5 != 0, n)):
+        if all(abs(float(numbers[n][1] - spot[1])) >= _NUMBER for _, spot in made):
+            made.append((n, numbers[n]))
+    return made
+
+
+def _middle(sheet: Page, spots: Spots, host: int, flat: Array, ahead: Array) -> None:
+    """The middle of the front, a dashed line from round to round."""
+    line = list[Array]()
+    for k, r in enumerate(spots.built.rounds):
+        nodes = spots.stitches(k)
+        if r.part != host or r.aside or len(nodes) < 3:
+            continue
+        i, share = divmod(spots.front(k), 1.0)
+        a, b = (int(nodes[int(i + j) % len(nodes)]) for j in (0, 1))
+        if ahead[a] and ahead[b]:
+            line.append((1.0 - share) * flat[a] + share * flat[b])
+    for start, end in pairwise(line):
+        sheet.shape([start, 0.5 * (start + end)], None, INK, 0.3)
+
+
+def _sewn(sheet: Page, mark: _Mark, points: Array) -> None:
+    """An eye as a dot; a ring as the outline of its stitches; an end that is pressed flat as the line that they lie along."""
+    if not mark.name:
+        sheet.circles(points, 1.3, mark.color, INK)
+        return
+    if mark.ring:
+        ring = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
+        sheet.shape(ring, (*mark.color, 150), None)
+        sheet.shape(ring, None, INK, 0.35)
+        return
+    x, y = (points - points.mean(0)).T
+    along = 0.5 * atan2(2.0 * float((x * y).sum()), float((x * x - y * y).sum()))
+    line = points[np.argsort(x * cos(along) + y * sin(along), kind="stable")]
+    sheet.shape(line, None, INK, 1.6)
+    sheet.shape(line, None, mark.color, 1.0)
+
+
+def _names(sheet: Page, named: Sequence[tuple[str, Array]], x: float, room: float, y: float, tall: float) -> None:
+    """The names in a column at the left, each with a line to the leftmost of what bears it."""
+    least: dict[str, Array] = {}
+    for name, points in named:
+        middle = points.mean(0)
+        if name not in least or middle[0] < least[name][0]:
+            least[name] = middle
+    down = y
+    for name in sorted(least, key=lambda name: float(least[name][1])):
+        words = wrap(name, SMALL, 0.82 * room)[:2]
+        high = 1.25 * SMALL * len(words)
+        at = min(max(down, float(least[name][1]) - 0.5 * high), y + tall - high)
+        sheet.paragraph(words, x, at + SMALL, SMALL, color=INK, leading=1.25)
+        ends = x + max(width_of(line, SMALL) for line in words) + 0.8
+        sheet.shape(np.array([(ends, at + 0.62 * high), least[name]]), None, SOFT, 0.2)
+        down = at + high + 0.8

@@ -1,0 +1,124 @@
+"""Charts of where parts go: every seam is on one, and the rounds that are printed bold are those that its stitches lie on."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.graph import SEWN
+from tambour.core.progress import Progress
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.page.book import Book
+from tambour.crochet.page.placement import _NUMBER, _share, _sides, placement
+from tambour.crochet.page.placement import _marks as marks_of
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.geometry.surface import vertex_normals
+from tambour.render.page import Page
+
+SHOP = Path(__file__).parent / "data" / "shop"
+
+TOY = """Pip
+
+BODY
+With grey yarn.
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-12: sc around (24)
+Stuff.
+Rnd 13: (2 sc, dec) x 6 (18)
+Rnd 14: (sc, dec) x 6 (12)
+Rnd 15: dec x 6 (6)
+Fasten off.
+
+ARM (make 2)
+With red yarn.
+Rnd 1: 6 sc in MR (6)
+Rnds 2-6: sc around (6)
+Fasten off.
+
+ASSEMBLY
+{where}
+"""
+
+
+def book(text: str, terms: str = "") -> Book:
+    params = CrochetParams(terms=terms) if terms else CrochetParams()
+    return Book(make(Text(text, "toy.txt"), params, Progress()))
+
+
+def drawn(of: Book, chunk: int = 0) -> tuple[Page, list[str]]:
+    """A chart set on a page, and its words."""
+    sheet = Page(210.0, 297.0)
+    y = 20.0
+    for atom in placement(of)[chunk].atoms:
+        atom.draw(sheet, 20.0, y)
+        y += atom.height
+    return sheet, [label.text for label in sheet.labels]
+
+
+@pytest.fixture(scope="module")
+def cat() -> Book:
+    return book((SHOP / "cat.txt").read_text())
+
+
+def test_every_part_that_is_sewn_on_is_named_on_a_chart_of_what_it_is_sewn_to(cat: Book) -> None:
+    charts = placement(cat)
+    assert [chunk.title for chunk in charts] == ["BODY, from the back", "HEAD, from the front"]
+    said = [word for k in range(len(charts)) for word in drawn(cat, k)[1]]
+    # The head is sewn to the body's open end: of that there is no place to find.
+    assert {"LEGS", "TAIL", "EARS", "MUZZLE"} <= set(said) and "HEAD" not in said
+
+
+def test_bold_numbers_are_the_rounds_that_the_seams_lie_on(cat: Book) -> None:
+    built, graph = cat.piece.built, cat.piece.built.graph
+    names = [part.name for part in graph.parts]
+    head, ears = names.index("HEAD"), {k for k, name in enumerate(names) if name.startswith("EARS")}
+    pairs = graph.edges[graph.edge_kind == SEWN]
+    pairs = np.vstack([pairs, pairs[:, ::-1]])
+    on = pairs[np.isin(graph.part[pairs[:, 0]], sorted(ears)) & (graph.part[pairs[:, 1]] == head), 1]
+    rounds = {built.rounds[int(graph.round[n])].number for n in on}
+    sheet, _ = drawn(cat, 1)
+    bold = {int(label.text) for label in sheet.labels if label.bold and label.text.isdigit()}
+    assert {min(rounds), max(rounds)} <= bold  # of the ears, counted from the seams themselves
+    assert {9, 10} <= bold | {int(label.text) for label in sheet.labels if label.text.isdigit()}  # the eyes'
+
+
+def test_numbers_stand_apart_and_in_the_order_of_the_rounds(cat: Book) -> None:
+    sheet, _ = drawn(cat, 1)
+    at = sorted((label.y, int(label.text)) for label in sheet.labels if label.text.isdigit())
+    assert min(b[0] - a[0] for a, b in pairwise(at)) >= _NUMBER - 1e-9
+    assert [n for _, n in at] == sorted(n for _, n in at)  # the head is worked from its crown
+
+
+@pytest.mark.parametrize(
+    ("where", "side"),
+    [
+        ("Sew the arms to the back of the body between rounds 7 and 8.", "back"),
+        ("Sew the arms to the front of the body between rounds 7 and 8, 4 stitches apart.", "front"),
+        ("Sew the arms to the sides of the body between rounds 8 and 9.", "front"),
+    ],
+)
+def test_a_part_is_drawn_from_where_its_seams_are_seen(where: str, side: str) -> None:
+    of = book(TOY.format(where=where))
+    spots = Spots(of.piece.built)
+    marks = marks_of(of, spots, 0, vertex_normals(of.piece.positions, spots.faces(0)))
+    assert len(marks) == 2 and _sides(marks) == [side]
+    assert (_share(marks, side) > 0.3).all()
+
+
+@pytest.mark.parametrize("terms", ["us", "uk", "de", "nl", "fr", "es"])
+def test_charts_speak_the_booklets_language(terms: str) -> None:
+    of = book(TOY.format(where="Sew the arms to the sides of the body between rounds 8 and 9."), terms)
+    words = " ".join(drawn(of)[1])
+    assert of.own["placement"].split()[0] in words and of.own["front"] in words
+
+
+def test_what_nothing_is_sewn_to_has_no_chart() -> None:
+    assert placement(book(TOY.split("ARM")[0])) == []
