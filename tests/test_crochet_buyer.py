@@ -11,7 +11,7 @@ from PIL import Image
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.maker.taken import Taken
-from tambour.crochet.page.assembly import _sentences, _under, assembly
+from tambour.crochet.page.assembly import _sentences, _under, assembly, finished
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.charted import helps
 from tambour.crochet.page.flow import Atom, Chunk, Frame, plan
@@ -244,3 +244,13 @@ def test_a_toy_is_dressed_when_it_is_whole_and_in_her_words() -> None:
     assert of.hers is not None and not of.hers.closing and "UK abbreviations" not in of.hers.materials
     said = [row.words for row in _explained(of, of.said.blocks[-1], with_hers(of, of.said.blocks[-1]))]
     assert "Use red, 62 ch." in said and not [words for words in said if words.endswith((",.", "turn, ch."))]
+
+
+@pytest.mark.parametrize(("filled", "across"), [(60.0, 4), (240.0, 2)])
+def test_the_finished_toy_is_large_where_it_has_a_page_of_its_own(filled: float, across: int) -> None:
+    of = book(BEAR.format(sewn="Sew the arms to the sides of the body at Rnd 9."))
+    of.page("Assembly").text("the last step", 20.0, filled, 3.0)
+    finished(of)
+    assert len(of.pages) == (1 if across == 4 else 2)
+    wide = {round(image.width, 1) for image in of.pages[-1].images}
+    assert len(of.pages[-1].images) == 4 and wide == {round((210.0 - 36.0 - 4.0 * (across - 1)) / across, 1)}

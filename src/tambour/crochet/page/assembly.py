@@ -267,21 +267,26 @@ def finished(book: Book) -> None:
     bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
     long = any(part.lies for part in book.piece.built.pattern.parts)
     views = ("front", "right", "top", "below") if long else ("front", "right", "back", "top")
-    width = (wide - _GAP * (len(views) - 1)) / len(views)
+    care, under = care_room(book), 2.0 * SMALL + 1.6
+    across = len(views)
+    width = (wide - _GAP * (across - 1)) / across
     high = 1.2 * width
     sheet, y = book.below
-    room = bottom - y - 1.6 * LEAD - 2.0 * SMALL
+    room = bottom - y - 1.6 * LEAD - under
     if room >= _LOWEST * width:
-        care = care_room(book)
         high = min(high, room - care if room - care >= _LOWEST * width else room)
     if room < high:
-        sheet, y = book.page(short(book, book.own["finished"])), TOP
+        # On a page of its own it is large: two beside two.
+        sheet, y, across = book.page(short(book, book.own["finished"])), TOP, 2
+        width = (wide - _GAP) / across
+        high = min(1.2 * width, 0.5 * (bottom - TOP - care) - under - _GAP)
     else:
         sheet.text(book.own["finished"], MARGIN, y + LEAD, LEAD, True, book.accent)
         y += LEAD * 1.6
     for k, side in enumerate(views):
-        x = MARGIN + k * (width + _GAP)
+        down, aside = divmod(k, across)
+        x, top = MARGIN + aside * (width + _GAP), y + down * (high + under + _GAP)
         picture = from_side(book.album, side, round(width * DOTS), round(high * DOTS))
-        sheet.image(picture, x, y, width, high, photo=True)
+        sheet.image(picture, x, top, width, high, photo=True)
         name = book.own[{"top": "above", "right": "its left"}.get(side, side)]
-        sheet.text(name, x, y + high + SMALL + 1.6, SMALL, color=SOFT)
+        sheet.text(name, x, top + high + SMALL + 1.6, SMALL, color=SOFT)
