@@ -58,7 +58,7 @@ HEAD = [
 # Where the loop's legs stand in the end, from the column's foot (row of the table, u with the lean taken off): close together
 # in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel. Out of their hole they
 # spread at once: points that stand far apart show the row below between them, as teeth where the colour changes.
-LEGS = {0: -0.337, 1: -0.211, 2: -0.139, 3: -0.123, 7: -0.055, 8: -0.093, 9: -0.13, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37, 16: 0.305, 17: 0.235, 18: 0.16, 43: 0.197, 44: 0.343, 45: 0.503}  # fmt: skip
+LEGS = {0: -0.337, 1: -0.211, 2: -0.139, 3: -0.123, 7: -0.055, 8: -0.1, 9: -0.15, 10: -0.19, 13: 0.455, 14: 0.455, 15: 0.395, 16: 0.32, 17: 0.24, 18: 0.165, 43: 0.197, 44: 0.343, 45: 0.503}  # fmt: skip
 
 # Behind, the yarn from a head lies over to the next stitch before it goes down to the hole: the bump across every stitch
 # that a row shows on its other side. Drawn tight alone it runs straight down there, a hook.
@@ -66,11 +66,11 @@ LEGS = {0: -0.337, 1: -0.211, 2: -0.139, 3: -0.123, 7: -0.055, 8: -0.093, 9: -0.
 # And how far before the fabric (row, w): both legs outside, equally far, all the way up, so that a V is seen from either side;
 # and behind them, hidden, the yarn that comes through the loop to be the next head. Drawn tight alone the left leg sinks in
 # half way up behind the right one, and from the right a row reads as a rope.
-DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45, 8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 21: -0.10, 22: -0.02, 23: 0.0, 24: -0.03, 25: -0.06, 26: -0.06, 27: -0.06, 28: 0.03, 29: 0.14, 30: 0.22, 31: 0.18, 32: 0.075, 33: 0.09}  # fmt: skip
+DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45, 8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 21: -0.10, 22: -0.02, 23: 0.0, 24: -0.03, 25: -0.06, 26: -0.06, 27: -0.06, 28: 0.0, 29: 0.09, 30: 0.17, 31: 0.13, 32: 0.04, 33: 0.05}  # fmt: skip
 
 # And how high its head begins (row, v): down in the gap between the stitches worked over it, and, above, deep in it. Drawn tight
 # alone it stands up there before them: where the colour changes the old one has teeth.
-LOW = {0: 0.69, 1: 0.575, 2: 0.44, 3: 0.27, 27: 0.93, 28: 1.02, 29: 1.09, 30: 1.09, 31: 1.14, 32: 1.22, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.8, 45: 0.765}  # fmt: skip
+LOW = {0: 0.69, 1: 0.575, 2: 0.44, 3: 0.27, 27: 0.9, 28: 0.97, 29: 1.02, 30: 1.02, 31: 1.07, 32: 1.155, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.8, 45: 0.765}  # fmt: skip
 
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:

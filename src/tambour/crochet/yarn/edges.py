@@ -47,7 +47,7 @@ STEP = 0.75
 DRAWN, BEYOND = 0.7, 0.15
 """How far the chains that turn a row are drawn in towards its first stitch, as a share of how far they stand out; how far, in
 widths, they still do at the most."""
-DOMES, DOME = (0.28, 0.45), 2.4
+DOMES, DOME = (0.28, 0.56), 2.4
 """How far a ring's and a tip's middle is pushed out, and over how far about it that falls off; in widths."""
 STOUT = 24
 """Parts of fewer stitches around are limbs, whose ends are round by themselves."""

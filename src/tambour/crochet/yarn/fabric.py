@@ -34,8 +34,12 @@ OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 FRAYED = 0.92
 """What is left of that at its very end, where its fibres are of all lengths."""
+TAUT = 0.75
+"""Radius of what is sewn with, as a share of the yarn's: it is pulled tight."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
+LIMP, LIES = 0.55, 6.0
+"""So far, in widths, what hangs comes out of the fabric before it hangs straight down; by how much further where that slopes away."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -106,6 +110,7 @@ def strands(
     if hung.any():
         _fall(coords, hung, led.cell, rows)
     wide = _thick(led, graph)
+    wide[np.repeat(led.first < 0, np.diff(ends))] *= TAUT
     fur = _named(graph, "fur")
     if fur:
         wide[hung & np.isin(graph.kind[led.cell], fur)] = OPENED
@@ -208,8 +213,17 @@ def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
     turned = off * cosine + np.cross(axis, off) + axis * (axis * off).sum(1)[:, None] / np.maximum(1.0 + cosine, 0.05)
     # Where the fabric slopes away under it, it bends over the further it hangs.
     far, slope = length(turned), np.clip(normal[:, 1], 0.0, 0.8)
-    turned[:, 1] -= BOWED * slope * far * np.minimum(far / (3.0 * length(rows.along[cell[run]]) + 1e-9), 1.0)
-    coords[run] = foot + turned
+    wide = length(rows.along[cell[run]]) + 1e-9
+    turned[:, 1] -= BOWED * slope * far * np.minimum(far / (3.0 * wide), 1.0)
+    # Yarn is limp: a little out of the fabric it has turned down, and hangs. What lies on a slope leans on that all its way.
+    aside = turned * (1.0, 0.0, 1.0)
+    out, long = length(aside) / wide, length(turned) / wide
+    limp = LIMP + LIES * np.clip(normal[:, 1] - 0.15, 0.0, 0.6)
+    kept = limp * out / (limp + out)
+    drop = wide * np.sqrt(np.maximum(long * long - kept * kept, 0.0))
+    fallen = aside * (kept / np.maximum(out, 1e-9))[:, None]
+    fallen[:, 1] = np.where(turned[:, 1] < 0.0, -drop, turned[:, 1])
+    coords[run] = foot + turned + np.clip(2.0 * long - 0.4, 0.0, 1.0)[:, None] * (fallen - turned)
 
 
 def _spun(made: Strands) -> Strands:
@@ -233,9 +247,9 @@ PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 7.5
-"""Radii along which plies wind once about the yarn: they lie 30 degrees to its way. Steeper, one leg of a V shows them lying
-along it and the other across it, and no two legs are alike."""
+LAY = 13.0
+"""Radii along which plies wind once about the yarn: they lie 26 degrees to its way. At 7.5 it was 40, and one leg of a V, which leans
+against the twist, showed them lying along it (smooth) and the other across it (a corkscrew): no two legs were alike."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
 UNEVEN, DRIFT, HELD = 0.042, 0.115, 6

@@ -82,9 +82,11 @@ _WRAP = np.array(
         (0.43, 0.30, 0.08), (0.36, 0.24, -0.24), (0.18, -0.02, -0.42), (-0.02, -0.30, -0.42),
     ]
 )  # fmt: skip
-# A stitch of a seam, from the top of the stitch that is sewn on: out of its last round under its edge, down over that round, where
-# one sees it, in there, and inside to the next. Over the edge itself it would stand up as a tooth.
-_SEAM = np.array([(-0.06, -0.16, -0.1), (0.02, -0.2, 0.3), (0.12, -0.3, 0.48), (0.22, -0.44, 0.38), (0.26, -0.5, -0.2)])
+# A stitch of a seam, from the top of the stitch that is sewn on: out of its last round, aslant over its edge, where one sees it, and down
+# into what it is sewn to, close before that edge; inside to the next. Higher over the edge it would stand up as a tooth.
+_SEAM = np.array(
+    [(-0.14, -0.55, -0.15), (-0.1, -0.5, 0.36), (0.06, -0.26, 0.52), (0.24, 0.0, 0.54), (0.34, 0.16, 0.24)]
+)
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 
 # How far kinds bulge, against other groups of stitches in one place: clusters lie flat, bobbles and popcorns stand out.

@@ -14,7 +14,7 @@ from tambour.crochet.yarn.loops import TALL
 
 BLOCK = 1 << 15
 """Points that are worked on at once."""
-PRESSED = 0.26
+PRESSED = 0.12
 """How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
 SQUEEZED = 0.28
 """How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
