@@ -16,7 +16,7 @@ from tambour.noise import uniform
 from tambour.render.light import seen
 from tambour.render.shade import DYED, FINE, HAIRS, REACH
 
-MOST = 0.3
+MOST = 0.5
 """Hairs per pixel of a surface at the most: beyond, each stands for several and is as much thicker."""
 WIDEST = 0.9
 """Pixels that a hair is wide at the most for the others that it stands for: an outline is soft, and no saw."""
@@ -24,6 +24,8 @@ OPEN = 1.4
 """How many hairs show of those that stand where a share of the lights comes to, as so many times that share: in a hollow they lie pressed."""
 DIM = 0.85
 """How dark a hair in the shade may be, as a share of the light that comes from the surface where it stands."""
+ROOTS, TIPS = 0.84, 1.14
+"""How light a hair is where it stands among others, and at its end."""
 STEP = 1.3
 """Pixels between the points of a hair."""
 BENDS = 28
@@ -235,6 +237,7 @@ def hairs(
                 way = sqrt((nx - lx) * (nx - lx) + (ny - ly) * (ny - ly))
                 dots = int(way / 0.7) + 1
                 taper = 1.0 - 0.7 * (k / steps) * (k / steps)
+                tip = ROOTS + (TIPS - ROOTS) * k / steps
                 cover = thick * taper * way / dots
                 for dot in range(dots):
                     w = (dot + 0.5) / dots
@@ -255,7 +258,7 @@ def hairs(
                         alpha = (v0 if corner // 2 == 1 else 1.0 - v0) * (u0 if corner % 2 == 1 else 1.0 - u0)
                         alpha = min(0.9, alpha * cover)
                         for q in range(3):
-                            out[r_, c_, q] = out[r_, c_, q] * (1.0 - alpha) + alpha * light[q]
+                            out[r_, c_, q] = out[r_, c_, q] * (1.0 - alpha) + alpha * tip * light[q]
                         out[r_, c_, 3] = out[r_, c_, 3] * (1.0 - alpha) + alpha
                 lx, ly = nx, ny
     return drawn

@@ -25,8 +25,8 @@ LIGHTS: Final = 160
 """Lights that sky and window are made of."""
 OPEN: Final = 0.022
 """How wide the lens is open, as a share of the thing's size."""
-BEHIND: Final = 0.6
-"""How much softer than the thing's own far side is what stands behind it: the lens is open for a picture of the thing alone."""
+BEHIND: Final = 0.9
+"""How much softer than the thing's own far side is what stands behind it: it lies further off than it is drawn."""
 FALLOFF: Final = 0.16
 """How much less light the picture's corners get."""
 BRIGHT: Final = 0.72
@@ -147,7 +147,7 @@ def _far(whole: raster.Shot, made: raster.Shot, open: float) -> Array:
     there = made.near[np.isfinite(made.near)]
     sharp = float(np.quantile(there, 0.6)) if len(there) else float(near.max())
     spread = BEHIND * open * made.size * made.camera.scale * abs(sharp - float(np.median(near)))
-    return _blurred(whole.light, min(spread, 0.03 * max(whole.light.shape[:2])))
+    return _blurred(whole.light, min(spread, 0.04 * max(whole.light.shape[:2])))
 
 
 def _focused(made: raster.Shot, samples: int, open: float) -> Array:

@@ -36,13 +36,13 @@ def wall(width: int, height: int, table: Table) -> Array:
     across, down = (-s - PANES[0]) / PANES[2], (y - PANES[1] - 0.35 * (-s - PANES[0])) / PANES[3] * height / width
     panes = (abs(across) < 1.0) & (abs(down) < 1.0) & (abs(across) > 0.07) & (abs(abs(down) - 0.33) > 0.05)
     lit = gaussian_filter(panes.astype(np.float64), HAZE * max(width, height), mode="nearest")
-    shade = 0.66 + 0.1 * y + 0.26 * np.clip(s + 0.5, 0.0, 1.0) ** 1.5
+    shade = 0.76 + 0.1 * y + 0.24 * np.clip(s + 0.5, 0.0, 1.0) ** 1.5
     return np.asarray(color * shade[..., None] + LIT * lit[..., None] * color * np.array([1.06, 1.0, 0.9]))
 
 
 PANES = (0.20, 0.12, 0.26, 0.34)
 """Where the window's light falls on the wall, from the picture's middle and top, and half of how wide and high it is, in the picture's width."""
-HAZE, LIT = 0.016, 0.34
+HAZE, LIT = 0.05, 0.22
 """How far out of focus the wall is, as a share of the picture; how bright the window's light is on it, as a share of its colour."""
 
 

@@ -12,12 +12,12 @@ from tambour.render.light import seen
 
 # Columns of a material: fuzz (light that fibres scatter at the rim), wrap (light that creeps round the edge), gloss,
 # highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii, how strongly fibres show
-# on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii.
-FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
+# on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii; tiles of fibres to a
+# turn of the twist: a few, and they lie along it, many, and one sees their ends, a pile.
+FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE, TILES = range(11)
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.08  # how much lighter and darker single fibres are: more, and wool looks carved
-TILES = 2.0  # of fibres to a turn of the twist: fibres are short, however long a turn is
 SOFT = 0.2  # how round the bottom of the groove between plies is
 
 
@@ -152,7 +152,7 @@ def shade(
                         albedo[c] = wa * color[a0, c] + wb * color[b0, c] + wc * color[c0, c]
                         if table[m, HAIRS] > 0.0:
                             albedo[c] = DYED[0] + DYED[1] * albedo[c]
-                    plies, fibre = table[m, PLIES], table[m, FIBRE]
+                    plies, fibre, tiles = table[m, PLIES], table[m, FIBRE], table[m, TILES]
                     if (plies > 0.0 or fibre > 0.0) and len(uv) > 0:
                         # u: turns of the twist along the yarn, v: turns around it (it wraps).
                         ua, ub, uc = uv[a0, 0], uv[b0, 0], uv[c0, 0]
@@ -202,13 +202,13 @@ def shade(
                                 wide = len(fleece)
                                 fine = min(1.0, 2.0 * pi * radius / wide / 0.5)
                                 r_ = floor(wide * (around_at - floor(around_at))) % wide
-                                c_ = floor(wide * (TILES * along_at - floor(TILES * along_at))) % wide
+                                c_ = floor(wide * (tiles * along_at - floor(tiles * along_at))) % wide
                                 tone_of = fleece[r_, c_, 0]
                                 lift = fine * fibre / (2.0 * pi * around)
                                 tx_, ty_, tz_ = (
-                                    TILES * ((ub - ua) * bx + (uc - ua) * cx),
-                                    TILES * ((ub - ua) * by + (uc - ua) * cy),
-                                    TILES * ((ub - ua) * bz + (uc - ua) * cz),
+                                    tiles * ((ub - ua) * bx + (uc - ua) * cx),
+                                    tiles * ((ub - ua) * by + (uc - ua) * cy),
+                                    tiles * ((ub - ua) * bz + (uc - ua) * cz),
                                 )
                                 n[0] -= lift * (fleece[r_, c_, 1] * wx + fleece[r_, c_, 2] * tx_)
                                 n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)

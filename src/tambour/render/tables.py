@@ -43,10 +43,10 @@ class Table:
 
 
 TABLES: Final[dict[str, Table]] = {
-    "oak": Table("wood", (0.80, 0.70, 0.57), (0.56, 0.42, 0.29), (0.86, 0.85, 0.83)),
+    "oak": Table("wood", (0.79, 0.69, 0.565), (0.58, 0.45, 0.33), (0.91, 0.895, 0.87)),
     "paper": Table("paper", (0.90, 0.885, 0.86), (0.84, 0.825, 0.80), None, -0.80, 0.34),
     "linen": Table("linen", (0.86, 0.825, 0.76), (0.56, 0.51, 0.44), (0.84, 0.84, 0.83), -1.05, 0.26),
-    "painted": Table("painted", (0.90, 0.895, 0.885), (0.62, 0.61, 0.60), (0.80, 0.82, 0.83), 1.10, 0.27),
+    "painted": Table("painted", (0.90, 0.895, 0.885), (0.62, 0.61, 0.60), (0.87, 0.87, 0.86), 1.10, 0.33),
     "stone": Table("stone", (0.68, 0.67, 0.655), (0.45, 0.445, 0.44), (0.80, 0.79, 0.77), 0.75, 0.30),
     "walnut": Table("wood", (0.50, 0.37, 0.27), (0.26, 0.17, 0.11), (0.75, 0.73, 0.70), -0.90, 0.22),
 }
@@ -88,7 +88,7 @@ def _wood() -> tuple[Array, Array]:
     grain = 0.26 + 0.07 * grain + 0.34 * rings + 0.34 * pores * (0.4 + rings)
     fine = 0.07 * sum(_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((1024, 160), (512, 60)))
     fine = fine + 0.22 * np.maximum(_fine(rough.standard_normal((512, 90)), SIDE, SIDE) - 1.3, 0.0)
-    return _boards(grain, rough, 0.10, 0.55), np.asarray(fine)
+    return _boards(grain, rough, 0.10, 0.5), np.asarray(fine)
 
 
 def _painted() -> tuple[Array, Array]:
@@ -99,7 +99,7 @@ def _painted() -> tuple[Array, Array]:
         np.zeros((SIDE, SIDE)),
     )
     fine = 0.05 * _fine(rough.standard_normal((512, 24)), SIDE, SIDE)
-    return _boards(0.12 + 0.035 * brush, rough, 0.035, 0.75), np.asarray(fine)
+    return _boards(0.10 + 0.035 * brush, rough, 0.035, 0.42), np.asarray(fine)
 
 
 def _boards(grain: Array, rough: np.random.Generator, tones: float, groove: float) -> Array:
