@@ -215,15 +215,15 @@ def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
     far, slope = length(turned), np.clip(normal[:, 1], 0.0, 0.8)
     wide = length(rows.along[cell[run]]) + 1e-9
     turned[:, 1] -= BOWED * slope * far * np.minimum(far / (3.0 * wide), 1.0)
-    # Yarn is limp: a little out of the fabric it has turned down, and hangs. What lies on a slope leans on that all its way.
-    aside = turned * (1.0, 0.0, 1.0)
-    out, long = length(aside) / wide, length(turned) / wide
-    limp = LIMP + LIES * np.clip(normal[:, 1] - 0.15, 0.0, 0.6)
-    kept = limp * out / (limp + out)
-    drop = wide * np.sqrt(np.maximum(long * long - kept * kept, 0.0))
-    fallen = aside * (kept / np.maximum(out, 1e-9))[:, None]
-    fallen[:, 1] = np.where(turned[:, 1] < 0.0, -drop, turned[:, 1])
-    coords[run] = foot + turned + np.clip(2.0 * long - 0.4, 0.0, 1.0)[:, None] * (fallen - turned)
+    # Yarn is limp: a little out of the fabric it has turned down, and hangs beside its neighbours. What lies on a slope leans on that all its way.
+    level = normal * (1.0, 0.0, 1.0)
+    level /= np.maximum(length(level), 1e-9)[:, None]
+    out = np.maximum((turned * level).sum(1), 0.0)
+    limp = wide * (LIMP + LIES * np.clip(normal[:, 1] - 0.15, 0.0, 0.6))
+    fallen = turned - (out - limp * out / (limp + out))[:, None] * level
+    square = (turned * turned).sum(1) - fallen[:, 0] ** 2 - fallen[:, 2] ** 2
+    fallen[:, 1] = np.where(turned[:, 1] < 0.0, -np.sqrt(np.maximum(square, 0.0)), turned[:, 1])
+    coords[run] = foot + turned + np.clip(2.0 * far / wide - 0.4, 0.0, 1.0)[:, None] * (fallen - turned)
 
 
 def _spun(made: Strands) -> Strands:

@@ -47,9 +47,9 @@ _HANGING = np.array(
         (0.06, 0.05, 0.60),
     ]
 )
-SWAY = 0.4
+SWAY = 0.3
 """How far the lower end of one hanging loop lies beside another's, in widths; their lengths differ by as much."""
-CRIMP = 0.09
+CRIMP = 0.15
 """How far what hangs bends to and fro, in widths."""
 # The tops of a popcorn's stitches, folded together in front, before its head; out as far as it bulges.
 _CROWN = np.array(
