@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 LEGS = re.compile(r"\b(?:legs?|beine?|piernas?|patas?|jambes?|pattes?|benen|been|poten|poot)(?![^\W\d_])")
 ARMS = re.compile(r"\b(?:tentacles?|tentakeln?|fangarme?|tentáculos?|tentacules?|tentakels?)(?![^\W\d_])")
 """Names of limbs that a toy stands on, where they are not limp, and of those that always are."""
+_BOTH = re.compile(r"\b(?:arms?|limbs?|arme?|brazos?|bras|armen)(?![^\W\d_])")
+"""Names of arms, and of limbs that are arms as well, where they are made alike: the lowest pair of them are the legs."""
 THIN = 1.45
 """A leg is limp whose stitches lie so near to its axis, in stitches, by the root of the mean of squares: eight round it."""
 LONG = 9.0
@@ -34,7 +36,7 @@ FEW = 3
 """So many strands are a fringe or a curl: those are not lain about."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Limb:
     """Its nodes (K,) with all that is sewn to them, where it hangs (3,), and whether it is a leg."""
 
@@ -51,18 +53,34 @@ def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]
     found: list[Limb] = []
     on: dict[int, int] = {joining.spots.parts[f.part]: joining.spots.parts[f.spot.part] for f, _ in joining.steps}
     thin: list[Limb] = []
+    alike: list[Limb] = []
     for (f, end), _ in zip(joining.steps, () if joined is None else joined.seams):
         part = joining.spots.parts[f.part]
         arm, leg = ARMS.search(f.part.lower()), LEGS.search(f.part.lower())
-        if not (arm or leg) or not own[graph.parts[part].start]:
+        both = _BOTH.search(f.part.lower())
+        if not (arm or leg or both) or not own[graph.parts[part].start]:
             continue
         bear = {part}
         while more := {p for p, host in on.items() if host in bear} - bear:
             bear |= more
         limb = Limb(np.flatnonzero(np.isin(graph.part, list(bear))), x[end.nodes].mean(0), leg is not None)
-        (thin if leg and not arm else found).append(limb)
+        (found if arm else alike if both else thin).append(limb)
+    legs = sorted((limb for limb in alike if limb.leg), key=lambda limb: float(limb.root[1]))[:PAIR]
+    thin += legs
+    hands = [limb for limb in alike if limb not in legs]
     if 0 < len(thin) <= PAIR and all(_thin(x[n.nodes[graph.part[n.nodes] == graph.part[n.nodes[0]]]]) for n in thin):
         found += thin
+    if hands:
+        firm = own.copy()
+        for limb in [*found, *hands]:
+            firm[limb.nodes] = False
+        floor = float(x[firm, 1].min()) if firm.any() else -math.inf
+        # Arms longer than the toy is high bear nothing: they lie about it.
+        found += [
+            replace(limb, leg=False)
+            for limb in hands
+            if float(x[limb.nodes, 1].min()) < floor and _thin(x[limb.nodes[graph.part[limb.nodes] == graph.part[limb.nodes[0]]]])
+        ]
     strands = [(nodes, base) for nodes, base in strings(graph) if own[base]]
     if len(strands) > FEW:
         off = np.array([x[base, 1] - x[nodes, 1].mean() for nodes, base in strands])

@@ -1,4 +1,5 @@
-"""Sided: a body stands so that a pair of parts that are crocheted into one of its rounds hangs at its sides.
+"""Sided: a body stands so that a pair of parts that are crocheted into one of its rounds hangs at its sides, and a tall one
+on an oval has a wide side ahead.
 
 Where a round begins, words do not say, and in the hand it wanders: what is counted from there is right as the pair is left and right.
 """
@@ -6,6 +7,7 @@ Where a round begins, words do not say, and in the hand it wanders: what is coun
 from __future__ import annotations
 
 import math
+import re
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +19,9 @@ if TYPE_CHECKING:
     from tambour.crochet.graph.spots import Spots
 
 
+_OVAL, _TALL = 1.25, 0.65
+"""A body that is so many times as deep as wide, and not much lower than deep, is a pillow that stands: its face is on a wide side."""
+_TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)(?![^\W\d_])")
 LEAST, MOST = 0.25, 0.75
 """A limb has such a share of a round that is shared out between two."""
 
@@ -34,6 +39,10 @@ def sided(spots: Spots, x: Array) -> Array:
         if math.hypot(way[0], way[2]) >= 0.5:
             angle = math.atan2(way[2], way[0])
             x = _turned(spots, x, part, shared, angle - math.pi * round(angle / math.pi))
+    for part in _pillows(spots, x):
+        if part not in done:
+            done.add(part)
+            x = _turned(spots, x, part, spots.last(part), 0.5 * math.pi)
     for (name, number), pair in pairs.items():
         part = spots.parts[name]
         k = spots.round_at(part, int(number))
@@ -49,6 +58,20 @@ def sided(spots: Spots, x: Array) -> Array:
         angle -= math.pi * round(angle / math.pi)  # the nearer of both ways round: left and right are told by nothing
         x = _turned(spots, x, part, k, angle)
     return x
+
+
+def _pillows(spots: Spots, x: Array) -> list[int]:
+    """Stuffed heads and bodies of printed toys that go up from an oval: the chain that it is worked about runs from front to back."""
+    built = spots.built
+    found = []
+    for part, fact in enumerate(built.parts):
+        p, section = built.graph.parts[part], built.pattern.parts[fact.section]
+        trunk = built.pattern.terms and p.stuffing > 0.0 and p.end > p.start and not spots.in_rows[part]
+        if trunk and _TRUNK.search(section.name.lower()):
+            wide, high, deep = np.ptp(x[p.start : p.end], axis=0).tolist()
+            if deep > _OVAL * wide and high > _TALL * deep:
+                found.append(part)
+    return found
 
 
 def _limbs(spots: Spots) -> list[tuple[int, int, Array]]:

@@ -27,6 +27,8 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
 _MOST: Final = 400
+_SEVERAL: Final = 4
+"""Stitches skipped for an opening, not to decrease."""
 UNKNOWN: Final = "the edge that this is worked on is not known"
 MOST: Final = 5000  # stitches of a round that is taken from its count
 
@@ -72,6 +74,8 @@ def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
     meant = place.number or 0
     if draft.offset and draft.offset < draft.offset + meant <= draft.last:
         meant += draft.offset  # "Row 7", of rows that began at 1 again
+    if meant and place.free and not place.loops:
+        meant = _skipped_below(draft, meant)
     number = meant or (draft.last + 1 - place.before if place.before else _left_loops(draft))
     edge = draft.edges.get(number, 0)
     at = next(
@@ -122,6 +126,18 @@ def _looped(draft: Draft, place: Moved, items: list[Item]) -> list[Item]:
     left = {"flo": "blo", "blo": "flo"}[used.pop()] if place.free and len(used) == 1 else ""
     loops = place.loops or left
     return [Action(loops, place.span)] if loops else []
+
+
+def _skipped_below(draft: Draft, number: int) -> int:
+    """The round whose stitches were skipped, where "skipped sts of Round ``number``" has none: that the round which skips them, or the
+    next one, is named instead is a usual slip."""
+    skips = {
+        line.number
+        for line in draft.lines
+        if line.in_round and any(isinstance(i, Action) and i.name == "skip" and i.times >= _SEVERAL for i in line.items)
+    }
+    below = (n - 1 for n in (number + 1, number, number - 1) if n in skips)
+    return next((n for n in below if n > 0), number)
 
 
 def _left_loops(draft: Draft) -> int:
