@@ -41,8 +41,8 @@ _SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
 stitches; one that is blunt at the second of them, or behind this part of the rounds."""
 _BELOW, _FAN, _STANDS = 0.2, (0.45, 0.8), 0.7
 """Whiskers stay so many stitches below the eyes; how far apart they begin and end, in rounds; a head stands whose axis is so upright."""
-_BROW: Final = np.array([0.6, 0.5, 0.0])
-"""Where eyes are about a head that lies, seen from its nose."""
+_BROW, _CHEEKS = np.array([0.75, 0.45, 0.0]), np.array([0.8, -0.25, 0.0])
+"""Where eyes are about a head that lies, seen from its nose, and what is below them."""
 _ONE: Final = 0.5
 """A pair that is nearer to each other, in stitches, lies in one place, and its distance says nothing of its size."""
 _BESIDE_EACH: Final = 0.8
@@ -131,7 +131,7 @@ class Facer(Putter):
             level = self._in_one_color(host, level) if point is None else level  # what is said stays
             if point is None and self._ahead(host) and not f.where.words - {"sides", "front"}:
                 level = self._behind_snout(host)
-                stitch = host.in_round(level, _BROW)
+                stitch = host.in_round(level, _CHEEKS if "cheek" in f.what else _BROW)
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart

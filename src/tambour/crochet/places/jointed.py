@@ -41,6 +41,8 @@ class Jointer(Holder):
         far = pole or host.near(host.towards(_ON_FRONT if pole is None else way.direction))
         spot = replace(far, span=put.span)
         record = self._face_up(self._placed(put, copy, spot, way, host), copy)
+        if pole is not None:
+            record = replace(record, points=way.axis)  # which way it looks is not left to how its neck leans
         self.stand.place(record)
         return record
 

@@ -16,6 +16,11 @@ from tambour.crochet.places.toy import Toy
 _TOP: Final = re.compile(
     r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
 )
+_REAR: Final = re.compile(
+    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?"
+    r"(?:rear|back|hind|tail|bum|bottom) end\b(?! of)|\b(?:beg(?:in(?:ning)?)?|start(?:ing)?)\.?\s+(?:at|from)\s+(?:the\s+)?(?:rear|rump|tail|bum)\b"
+)
+"""What lies and begins so has its end ahead."""
 _NECK: Final = 0.7
 """A long neck: the first quarter of a body's rounds stays narrower than this share of the widest."""
 _MEASURED: Final = re.compile(r"(?:^|\n)(?P<of>[^\n.]*)\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
@@ -111,6 +116,8 @@ class Upright(Toy):
         part = self.spots.parts[f"{main.name}.1"]
         if self.up.get(main.name) is None:
             up = self._upright(main, part)
+            if up == "side" and self._begins(main, _REAR):
+                up = "back"
             if up != "end":
                 self.made.ups[main.name] = up
         self.stand.set_up(part, self.made.ups.get(main.name) or self.up.get(main.name) or "end")
@@ -209,9 +216,13 @@ class Upright(Toy):
 
     def _from_top(self, main: Made) -> bool:
         """Whether the main part's own first words begin it at the top."""
+        return self._begins(main, _TOP)
+
+    def _begins(self, main: Made, where: re.Pattern[str]) -> bool:
+        """Whether the main part's own first words begin it ``where``."""
         part = next(p for p in self.built.pattern.parts if p.name == main.name)
         first = part.lines[0].span.start if part.lines else part.span.end
-        return _TOP.search(self.text[part.span.start : max(first, part.span.start) + 60]) is not None
+        return where.search(self.text[part.span.start : max(first, part.span.start) + 60]) is not None
 
     def _shapes(self, main: Made) -> str | None:
         """Which end of one piece is up where its text shapes the head behind the body, or the body, or a tail, behind the head."""

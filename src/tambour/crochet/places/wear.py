@@ -68,7 +68,7 @@ def _body(toy: Assembly) -> Made | None:
     found = toy.of_kind("body") or (toy.main if toy.main.single and not toy.main.worn else None)
     if (
         found is None
-        or (toy.made.ups.get(found.name) or toy.up.get(found.name)) == "side"
+        or (toy.made.ups.get(found.name) or toy.up.get(found.name)) in ("side", "back")
         or toy.spots.in_rows[toy.spots.parts[found.copy(1)]]
     ):
         return None
