@@ -43,6 +43,8 @@ def rim_on(built: Built, spots: Spots, placed: Placed, end: End, empty: bool = F
         or len(spots.opening(host, placed.spot.round))
     ):
         return none
+    flaps = next((k for k, n in enumerate(own) if np.isin(end.nodes[0], _ring(spots, part, n))), len(own) - 1)
+    own = own[: flaps + 1] if flaps > 0 else own  # what hangs below a cap's rim keeps nothing up
     down = theirs if placed.spot.round < theirs[0] else theirs[::-1]  # from the pole
     mine = [len(_ring(spots, part, n)) for n in own]
     rim = len(end.nodes)

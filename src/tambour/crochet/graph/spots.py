@@ -27,6 +27,8 @@ SLANT = -0.15
 on forty parts that were settled, 0.11 to 0.17 in joined rounds, 0.00 to 0.05 in spirals."""
 LEAST = 12
 """Rounds of fewer stitches turn with those about them."""
+FLAPPED, FREE = 0.6, 0.3
+"""A round has so many of the stitches of the widest one, and leaves so many of them free, that flaps are worked on."""
 GATHERED = 8
 """An open end of so few stitches is drawn together."""
 
@@ -342,7 +344,20 @@ class Spots:
         An end of a few stitches is gathered: a cap that narrows to six is sewn by its brim.
         """
         last, first = self.rim(part), self.begun(part)
+        last = last if len(last) or len(first) else self._flapped(part)
         return first if not len(last) or (len(last) <= GATHERED and len(first) >= 2 * len(last)) else last
+
+    def _flapped(self, part: int) -> Array:
+        """The last whole round of what flaps are worked on, over some of its stitches: a hat with its ears; empty of what has none."""
+        rounds = [k for k, r in enumerate(self.built.rounds) if r.part == part and not r.aside]
+        widest = max((self.built.rounds[k].count for k in rounds), default=0)
+        if self.in_rows[part] or widest < 2 * GATHERED:
+            return np.zeros(0, int)
+        for k in reversed(rounds):
+            nodes = self.stitches(k)
+            if len(nodes) >= FLAPPED * widest and FREE <= float((~self._worked_into[nodes]).mean()) < 1.0:
+                return nodes
+        return np.zeros(0, int)
 
     def begun(self, part: int) -> Array:
         """The edge of a part that was worked first, where it is open: a chain joined to a ring; empty where it is closed."""

@@ -106,6 +106,7 @@ class Assembly(Hosts):
         ties = of[np.concatenate([built.graph.edges, built.sewn.reshape(-1, 2)])]
         self.sewn = {int(k) for k in np.unique(ties[ties[:, 0] != ties[:, 1]])}
         if self.parts:
+            self._tailored()
             self._shaped()
         self.heard = Heard(self.parts, sentences, self.text)
         self.heard.puts[:0] = self._worked_in()

@@ -10,6 +10,8 @@ from tambour.crochet.places.names import SIDED, Made
 from tambour.crochet.places.upright import Upright
 
 _HALVES: Final = re.compile(r"\bhal(?:f|ves)\b[^.\n]{0,40}\btog(?:ether)?\b|\b(?:join|sew)\b[^.\n]{0,20}\bhalves\b")
+_CUT: Final = frozenset("front back left right upper lower side section half".split())
+"""Words of pieces that clothes are sewn together from."""
 NAMELESS: Final = re.compile(r"(?:part|piece)_\d+$")
 """What parts are called that no heading names."""
 
@@ -23,6 +25,15 @@ class Likely(Upright):
             clad = [p for p in self.parts if p.kind == "leg" and p.copies == 1 and (p.clad or SIDED & set(p.words))]
             self.made.apart += [p.name for p in clad]
             self.parts = [p for p in self.parts if p not in clad]
+
+    def _tailored(self) -> None:
+        """Fronts and backs that follow clothes are pieces of these."""
+        before: Made | None = None
+        for part in list(self.parts):
+            if before is not None and before.worn and part.words and set(part.words) <= _CUT:
+                self._likely(part, "worn")
+                part = replace(part, likely="worn")
+            before = part
 
     def _shaped(self) -> None:
         """Parts whose names do not say what they are: a leg that goes on into the body; a large one beside the body."""

@@ -51,7 +51,8 @@ _KINDS: Final[dict[str, str]] = {
     "inner": "inner",
     "tooth": "tooth fang tongue",
     "handle": "handle spout",
-    "worn": "dress necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
+    "fender": "fender mudguard",
+    "worn": "dress nightgown gown necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
     "trouser short legging jean knicker diaper tutu swimsuit romper pajama bandana necklace headband tiara bag purse basket blanket "
     "strap lace tie gusset scarf belt sleeve emblem bracelet armband band glasses edging trim ruffle garland wreath clothe saddle bridle",
 }
@@ -166,7 +167,7 @@ class Made:
     @property
     def worn(self) -> bool:
         """Whether it is put on a toy, and not sewn to make it."""
-        return "worn" in self.kinds and self.likely in ("", "worn")
+        return self.likely == "worn" or ("worn" in self.kinds and not self.likely)
 
     @property
     def vessel(self) -> bool:

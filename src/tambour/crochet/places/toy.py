@@ -26,6 +26,7 @@ _AHEAD: Final = re.compile(
     r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
     r"(?:nose|snout|muzzle|front|bow|head end|face end|(?:cent(?:er|re) of (?:the )?)?face)\b(?! (?:leg|paw|loop))"
 )
+_SAME: Final = re.compile(r"\b(?:same as|as (?:given )?for|like)\b")
 _FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
 _WITHIN: Final = re.compile(
     r"\n\s*(?:(?:cont(?:inue)?|beg(?:in)?|shape)\.? (?:for |with )?(?:the )?)?(head|body|neck|cap|torso)\s*(?::\s*\n?|[-–—]\s*)"
@@ -136,7 +137,12 @@ class Toy:
         begin = max(self.text.rfind("\n\n", 0, max(part.span.start, 0)) + 1, part.span.start - 120)
         first = _FIRST.search(self.text, part.span.start)
         end = first.start() if first else part.lines[0].span.end if part.lines else part.span.end
-        return _AHEAD.search(self.text[begin : min(end, part.span.start + 300)]) is not None
+        said = self.text[begin : min(end, part.span.start + 300)]
+        if _AHEAD.search(said) is not None:
+            return True
+        # "Work same as Riding Hood's head": of a set each begins as the first does.
+        before = [p for p in self.parts[: self.parts.index(made)] if p.words == made.words] if made in self.parts else []
+        return bool(before) and _SAME.search(said) is not None and self.ahead(before[0])
 
     @property
     def bearer(self) -> Made:

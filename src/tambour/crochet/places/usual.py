@@ -184,12 +184,14 @@ def usual(
     if copies == 4 and kind == "ear":  # each of two layers
         pair = usual("ear", 2, lying=lying, long=long, words=words)
         return [*pair, *pair]
-    if copies == 4 and kind in ("leg", "foot", "wheel"):
+    if copies == 4 and kind in ("leg", "foot", "wheel", "fender"):
         made = []
         for ahead in (0.6, -0.6):
             way = Way((0.62, -0.7, ahead), (0.08, -1.0, 0.0), flat=False)
             if kind == "wheel":
                 way = Way((0.8, -0.75, ahead), _ACROSS, flat=False)
+            if kind == "fender":  # over its wheel
+                way = Way((0.95, -0.3, ahead), _ACROSS, flat=False)
             made += [way, way.mirrored()]
         return made
     if kind == "spike":
