@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from typing import Final
 
@@ -85,8 +84,7 @@ class Jointer(Holder):
         part, host = put.copies[0][0].copy(1), put.host[0].copy(1)
         if len(put.copies) > 1 or self._lies(put.host):
             return None
-        again = re.search(r"_\d$", put.host[0].name) and put.host[0].kind == "body"  # of the next toy of a set
-        if (put.host[0] == self.work.main or again) and self.work.nose_first(put.copies[0][0]):
+        if put.host[0] == self.work.main and self.work.nose_first(put.copies[0][0]):
             return self._hung(put, part, host)
         own, other = self.work.open(part), self.work.open(host)
         h = self.work.host(put.host)

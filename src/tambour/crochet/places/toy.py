@@ -141,8 +141,9 @@ class Toy:
         if _AHEAD.search(said) is not None:
             return True
         # "Work same as Riding Hood's head": of a set each begins as the first does.
-        before = [p for p in self.parts[: self.parts.index(made)] if p.words == made.words] if made in self.parts else []
-        return bool(before) and _SAME.search(said) is not None and self.ahead(before[0])
+        before = (Made(p.name, 1) for p in self.built.pattern.parts if p.span.start < part.span.start)
+        like = next((p for p in before if p.words == made.words), None) if _SAME.search(said) else None
+        return like is not None and Toy.ahead(self, like)
 
     @property
     def bearer(self) -> Made:

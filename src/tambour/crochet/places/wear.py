@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -29,8 +28,6 @@ _PIECES: Final = frozenset(
     "edging trim ruffle strap lace tie sleeve buckle emblem gusset band pocket button bag side front back".split()
 )
 """Words of parts that are pieces of clothes, and none by themselves."""
-_SEVERAL: Final = re.compile(r"_\d$")
-"""What parts are called that have the name of one before."""
 _STRIP: Final = 4.0
 """A scarf is so many times longer than wide, or more."""
 _FRONT: Final = np.array([0.0, 0.0, 1.0])
@@ -45,21 +42,17 @@ def where_worn(part: Made) -> str:
 
 def clothes(toy: Assembly) -> list[Worn]:
     """What the toy wears: of each place the first garment that the text makes, where it fits."""
-    first, head = _body(toy), toy.of_kind("head")
-    if first is None:
+    body, head = _body(toy), toy.of_kind("head")
+    if body is None:
         return []
     made: list[Worn] = []
-    body = first
     for part in toy.parts:
-        if part.kind == "body" and part.single and _SEVERAL.search(part.name) and part.words == first.words:
-            body = part  # of the next toy of a set, which wears what follows
-            head = next((p for p in toy.parts if p.kind == "head" and p.name.endswith(part.name[-2:])), head)
         where = where_worn(part)
         index = toy.spots.parts.get(part.copy(1))
         if not where or part == toy.main or index is None or index in toy.sewn:
             continue
         host = head if where == "brow" else body
-        taken = {one.where for one in made if one.host == (host.copy(1) if host is not None else "")}
+        taken = {one.where for one in made}
         if host is None or (where in taken and "belt" not in part.words):
             continue
         low, high = _rounds(toy, host, where)
