@@ -45,6 +45,12 @@ _POSE: Final = re.compile(
 """A sentence behind one that puts a part somewhere, which says how that is held: "They should point down and a bit back."."""
 _BACK: Final = re.compile(r"\bback\b(?! of)")
 _STITCH: Final = 5.0  # mm, where no gauge is stated
+_LIKEWISE: Final = re.compile(
+    r"\b(?:work|assemble|finish|sew|make|complete|put)\b[^.]*\b(?:as (?:given )?for|same as|as with|like)\b"
+)
+"""A toy of a set that is sewn together as another is."""
+_SHARED: Final = 0.6
+"""Such a toy has so many of its parts in common with the first one."""
 UNPLACED: Final = "where this goes is not understood"
 
 
@@ -91,6 +97,15 @@ def _standing(one: Said, pattern: Pattern) -> Said:
     return replace(one, part=max(above, key=lambda p: p.span.start).name) if above else one
 
 
+def _likewise(first: list[Sentence], names: list[str], own: list[str]) -> list[Sentence]:
+    """What is said of the first toy of a set, said of another of the same parts; nothing where it has others."""
+    words = {name: set(Made(name, 1).words) for name in (*names, *own)}
+    other = {name: next((n for n in own if words[n] == words[name]), "") for name in names}
+    if len(own) < 2 or _SHARED * len(own) > sum(map(bool, other.values())):
+        return []
+    return [replace(heard, part=other.get(heard.part, "")) for heard in first if heard.exact is None]
+
+
 def _subject(one: Said, heard: Sentence) -> str:
     """The part that a sentence is about: of a place to the stitch what it puts there, else the part that it stands in."""
     return heard.exact.part.partition(".")[0] if isinstance(heard.exact, Placed) else one.part
@@ -132,8 +147,14 @@ def assembled(
     groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
     own = {name: k for k, names in enumerate(groups) for name in names}
     said = [_standing(one, built.pattern) for one in said]
+    heard_of = [
+        [heard for one, heard in zip(said, sentences) if own.get(_subject(one, heard), k) == k]
+        for k in range(len(groups))
+    ]
     for k, own_names in enumerate(groups):
-        mine = [heard for one, heard in zip(said, sentences) if own.get(_subject(one, heard), k) == k]
+        mine = heard_of[k]
+        if k and (not mine or any(_LIKEWISE.search(heard.text.lower()) for heard in mine)):
+            mine = [*_likewise(heard_of[0], groups[0], own_names), *mine]
         found = _assembly(built, mine, own_names).assemble(usual)
         made.finish += found.finish
         made.ups |= found.ups
