@@ -79,7 +79,8 @@ def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]
         found += [
             replace(limb, leg=False)
             for limb in hands
-            if float(x[limb.nodes, 1].min()) < floor and _thin(x[limb.nodes[graph.part[limb.nodes] == graph.part[limb.nodes[0]]]])
+            if float(x[limb.nodes, 1].min()) < floor
+            and _thin(x[limb.nodes[graph.part[limb.nodes] == graph.part[limb.nodes[0]]]])
         ]
     strands = [(nodes, base) for nodes, base in strings(graph) if own[base]]
     if len(strands) > FEW:

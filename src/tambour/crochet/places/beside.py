@@ -61,7 +61,10 @@ class Beside:
 
     def _lies(self, host: Copy) -> bool:
         work = self.work
-        return host[0] == work.main and (work.made.ups.get(host[0].name) or work.up.get(host[0].name)) in ("side", "back")
+        return host[0] == work.main and (work.made.ups.get(host[0].name) or work.up.get(host[0].name)) in (
+            "side",
+            "back",
+        )
 
     def _told(self, way: Way, at: Where, copies: int) -> Way:
         """A usual way, changed by what was said of it."""

@@ -238,7 +238,10 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
     if any(t.kind == "stitch" or (t.kind == "key" and t.value in _BUSY and not aside) for t in words.read(said)):
         return False
     if piece.bracketed and made.asides and all(any(t.word == "for" for t in some) for some in (made.asides[-1], said)):
-        made.asides[-1] = [*made.asides[-1], *said]  # "A for Kitty, B for Puppy": one list, of which no yarn heads a part
+        made.asides[-1] = [
+            *made.asides[-1],
+            *said,
+        ]  # "A for Kitty, B for Puppy": one list, of which no yarn heads a part
         return True
     made.asides.append(said)
     return bool(_hue(said, words)) or (
