@@ -35,9 +35,11 @@ _BODY = frozenset(
         "repeat",
         "skip",
         "turn",
+        "as",
+        "same",
     )
 )
-"""Words of a round's body that no name of it has."""
+"""Words of a round's body that no name of it has; "work as for head: 24 sts" names its stitches, not the round."""
 _AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–", "~", "»", "›"))
 
 
