@@ -8,7 +8,9 @@ from typing import Final
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.tokens import Token
 
-_ASIDE: Final = frozenset(("but", "instead", "being", "so", "omitting", "without", "adding", "noting", "including"))
+_ASIDE: Final = frozenset(
+    ("but", "instead", "being", "so", "omitting", "without", "adding", "noting", "including", "while")
+)
 _HANDS: Final = frozenset(
     (
         "taking",
@@ -70,7 +72,8 @@ def aside(c: Cursor) -> bool:
         return False
     if first.word in _HANDS:
         return True
-    ing = first.word.endswith("ing") and len(first.word) > 5 and first.word not in _WORKS and first.word not in _NO
+    worked = first.word in _WORKS and not c.key("stuff", "marker", "eyes", ahead=1)  # "inserting stuffing as you go"
+    ing = first.word.endswith("ing") and len(first.word) > 5 and not worked and first.word not in _NO
     if not ing and first.word not in _ASIDE:
         return False
     ahead = 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -10,7 +11,7 @@ from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.counts import count, ends_with_number, makes, slips
 from tambour.crochet.printed.courses import FLATTENED
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
-from tambour.crochet.printed.doings import BETWEEN, by_hand, closed_flat, doing, drawn_tight
+from tambour.crochet.printed.doings import BETWEEN, by_hand, closed_flat, doing, drawn_tight, until_stitches
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.motifs import as_they_come, begun, gathered
 from tambour.crochet.printed.reader import Body
@@ -25,6 +26,11 @@ _PHRASE = frozenset(",;.()[]{}*=")
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
+_PUTS: Final = frozenset(("place", "put", "insert"))
+_MEANWHILE: Final = frozenset(
+    "put place insert mark move remove replace keep tuck weave thread tie knot snip glue fold".split()
+)
+"""What hands do in the midst of a round, before it goes on as it was."""
 
 
 _ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "ends"))
@@ -51,7 +57,7 @@ class Walk(Trade):
                 c.at += 1
                 continue
             if self.hands():
-                c.at += c.at == at or c.mark(*ENDS)  # a count behind it is the round's
+                c.at += c.at == at or c.mark(*ENDS, ",", ":")  # a count behind it is the round's
                 continue
             if any(map(makes, body.items)) and (even := even_rounds(c.tokens[at : self.end_of_sentence()])) is not None:
                 body.plain.append(even)
@@ -132,7 +138,8 @@ class Walk(Trade):
     def hands(self) -> bool:
         """Goes past what hands do here, up to its point, and keeps it; whether the sentence is such a doing."""
         at, end = self.c.at, self.end_of_sentence()
-        if not (doing(self.c) or by_hand(self.c.tokens[self.c.at : end])):
+        end = at + until_stitches(self.c.tokens[at:end])
+        if end == at or not (doing(self.c) or by_hand(self.c.tokens[at:end])):
             return False
         self.c.at = end
         self.body.doings.append(self.c.tokens[at:end])
@@ -174,6 +181,8 @@ class Walk(Trade):
         if aside(c):
             self.to_separator()
             return True
+        if self._clause_by_hand(token):
+            return True
         after = c.look(1)
         if (
             token.kind == "key"
@@ -187,7 +196,8 @@ class Walk(Trade):
             self.to_separator()
             return True
         if token.kind == "mark" and token.word in BETWEEN:
-            if (token.word in "-:" and ends_with_number(self, 1)) or (token.word == "<" and c.whole(1) is not None):
+            counts = token.word == "-" or (token.word == ":" and any(map(makes, self.body.items)))
+            if (counts and ends_with_number(self, 1)) or (token.word == "<" and c.whole(1) is not None):
                 return False  # "- 18 sts", "<18>"
             c.at += 1
             if token.word == "-" and (many := things(c)):
@@ -214,6 +224,21 @@ class Walk(Trade):
             hole = c.look(1)
             c.at += 2 if token.value == "for" and hole is not None and hole.word in _HOLES else 1
             return True
+        return False
+
+    def _clause_by_hand(self, token: Token) -> bool:
+        """Goes past a clause that only says what hands do, "put a marker here", and keeps it; whether the cursor stands at one."""
+        c, begin = self.c, self.c.at
+        if token.kind != "word" or token.word not in _MEANWHILE or token.word in FLATTENED:
+            return False
+        self.to_separator()
+        said = c.tokens[begin : c.at]
+        counts = any(a.kind == "number" and b.value == "stitch" for a, b in pairwise(said))  # "keep going for 6 sts"
+        if by_hand(said) and not counts and not any(self.palette.color(c, k) is not None for k in range(begin, c.at)):
+            self.body.doings.append(said)
+            self.body.ends = "close" if drawn_tight(said) else self.body.ends
+            return True
+        c.at = begin
         return False
 
     def _of_round(self, token: Token) -> bool:
@@ -271,6 +296,8 @@ class Walk(Trade):
             while c.look() is not None and c.look().word in ("loop", "up"):  # type: ignore[union-attr]
                 c.at += 1
             self.joining(found, token)  # "Attach A in first free loop", "draw up a loop of B in same st"
+        elif token.word in _PUTS and (c.kind("stitch", 1) or (c.kind("number", 1) and c.kind("stitch", 2))):
+            c.at += 1  # "Place 2 sc in each st around"
         elif token.word in ("rotate", "flip"):
             chained = any(t.value in ("ch", "foundation", "side") for t in c.tokens[c.at : c.at + 14])
             if chained:
@@ -287,7 +314,7 @@ class Walk(Trade):
         elif token.word == "pick" and self.palette.letter(c, c.at + 1) is not None:
             c.tokens[c.at] = Token("key", "with", token.start, token.end, "with")  # "Pick up A"
             self.color(found)
-        elif token.word in _LAST and found:
+        elif token.word in _LAST and (found or self._evens_again()):
             self.ends_with(found)
         elif token.word in _PULLED and self._pulls():
             self.to_separator()
@@ -304,6 +331,12 @@ class Walk(Trade):
             ahead += 1
         return ahead > 1
 
+    def _evens_again(self) -> bool:
+        """Whether a slip stitch ends rounds that are worked again, at the cursor: "Repeat round 3, end with sl st in next st"."""
+        c, again = self.c, self.body.refers is not None or bool(self.body.more)
+        first = c.look(1 + c.key("with", ahead=1))
+        return again and first is not None and first.value == "slst"
+
     def ends_with(self, found: list[Item]) -> None:
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
         c = self.c
@@ -315,6 +348,9 @@ class Walk(Trade):
             and (c.look(3) is None or c.mark(".", ";", "(", ahead=3))
         ):
             c.at += 3  # "Rep last row 3 times more, ending with 18 sc": the count of the last of them
+            return
+        if not found:
+            c.skip_key("with")  # "Repeat round 3, end with sl st in next st": that evens the last of them
             return
         whole = not (c.key("last") and c.key("repeat", ahead=1))
         c.at += 0 if whole else 2  # "ending last rep with 1 sc in last 8 sc": in place of the end of that repeat

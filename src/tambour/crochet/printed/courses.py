@@ -228,6 +228,7 @@ class Courses(Reader):
                 self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])
             if worked and (tied or goes_on):
                 found.append(Action("join", token.span))
+                self._joined_at(found, clause)
             found.append(Action("color", span, numbers=shade[0]))
             found += [Action("tospace", span, numbers=(0,))] if in_space else []
             found += [] if worked else _joining_stitch(c.tokens[begin : c.at])
@@ -252,6 +253,15 @@ class Courses(Reader):
             self.body.both = True
             return
         found += (not worked and _joining_stitch(c.tokens[said : c.at])) or [Action("join", token.span)]
+        self._joined_at(found, c.tokens[begin : c.at])
+
+    def _joined_at(self, found: list[Item], clause: list[Token]) -> None:
+        """Takes a join for the end of the round that its clause names, "join with sl st to first sc at end of last rnd", of the rounds that are worked alike."""
+        at = next((k + 1 for k, t in enumerate(clause) if t.word == "end"), 0)
+        named = next((t for t in clause[at:] if t.value == "last" or type(t.value) is int), None) if at else None
+        spiral = any(map(makes, found)) and not _lifts(found)  # else each of them is joined, as its chain says
+        if named is not None and spiral and isinstance(found[-1], Action) and found[-1].name == "join":
+            self.body.later.append((found.pop(), named.value if type(named.value) is int else 0))
 
 
 def _lifts(found: list[Item]) -> bool:

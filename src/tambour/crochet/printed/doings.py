@@ -19,7 +19,7 @@ _HANDS: Final = frozenset(
     (
         "align apply arrange assemble backstitch block braid brush button catch center centre clip coil colour comb count criss cross "
         "crumple curl cut dab define dip divide drape draw dry embellish fill finger flatten flip fluff fold gather glue grasp hang heat "
-        "hide hold imagine iron knot lay line load lock loop make mark match measure melt pad paint pin poke position press push reshape "
+        "hide hold imagine iron knot lay line load lock loop make mark match measure melt pad paint pin poke position press push put reshape "
         "roll rub run scatter seam secure separate sew shake shave sketch slide slip smooth snip soak space spray spread sprinkle squeeze "
         "stand steam stick straighten stretch string style tack take tape tease tie tint trace try tuck turn twirl twist unravel untie untwist "
         "wash weave wet whipstitch wiggle wind wire wrap"
@@ -94,6 +94,8 @@ def by_hand(tokens: list[Token]) -> bool:
     verb = "slip" if first.word == "slip" and after is not None and after.kind in ("word", "number") else ""
     if any(works(tokens, k) for k in range(at + bool(verb), len(tokens))):
         return False
+    if first.value == "ch" and "secure" in words:
+        return True  # "Chain one to secure the loop, and remove ring from finger": how the ring is made
     if first.value == "repeat" and words & _STILL:
         return not any((t.kind == "key" and t.value in ("round", "row", "ring")) or t.word == "*" for t in tokens)
     if words & _SHOWN and tokens[0].word in ("refer", "referring", "follow", "following"):
@@ -182,6 +184,8 @@ def works(tokens: list[Token], at: int) -> bool:
         return False  # "knot fringe into each sc around"
     if before is not None and before.value in ("row", "round") and prior is not None and prior.kind == "word":
         return False  # "matching rows of sc"
+    if token.value == "ch" and any(t.word == "secure" for t in tokens[at + 1 : at + 5]):
+        return False
     if token.word == "slip" and after is not None and after.kind == "word":
         return False  # "slip the wraps off your fingers"
     if token.word in ("fur", "double") and (before is None or before.kind != "number") and not _sts(after):
@@ -192,6 +196,24 @@ def works(tokens: list[Token], at: int) -> bool:
 
 def _sts(token: Token | None) -> bool:
     return token is not None and token.word in ("st", "stitch", "stitches", "sts")
+
+
+def until_stitches(tokens: list[Token]) -> int:
+    """Where such a doing ends since stitches are worked behind it, "Do not turn, | sc in next 12 sts"; 0 where they are in its first clause."""
+    worked = next((k for k in range(len(tokens)) if _placed(tokens, k)), None)
+    if worked is None:
+        return len(tokens)
+    parted = (k for k in range(1, worked) if tokens[k].word in (",", ":", "then") or tokens[k].value == "and")
+    return next(parted, 0)
+
+
+def _placed(tokens: list[Token], at: int) -> bool:
+    """Whether a stitch that is worked stands at ``at``, with where it is worked, "sc in next", "sc around", or by itself, ", 12 sc"."""
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    said = after is not None and after.kind == "key" and after.value in ("in", "around", "each", "next")
+    alone = at > 1 and tokens[at - 1].kind == "number" and tokens[at - 2].word in (",", ":")
+    said = said or (alone and (after is None or after.kind == "mark"))
+    return said and tokens[at].value not in ("slst", "ch") and works(tokens, at)
 
 
 def closed_flat(tokens: list[Token]) -> bool:

@@ -87,7 +87,7 @@ _ON: Final = re.compile(
 )
 """Sentences of rounds that go on as they began: :mod:`tambour.crochet.printed.established` works them."""
 _ON_SAID: Final = re.compile(
-    rf"^(?:as set|as established|(?:cont\w*|keep\w*)(?: on)?(?: to)? {_SHAPE}|(?:cont\w*) (?:as|in)|{_SHAPE} (?:by )?\d+ (?:sts?|sc|dc|stitches|times)? ?(?:evenly )?(?:spaced )?(?:in|on|per) (?:each|every)? ?(?:rounds?|rnds?))"
+    rf"^(?:as set|as established|(?:cont\w*|keep\w*)(?: on)?(?: to)? {_SHAPE}|(?:cont\w*) (?:as|in)(?! (?:\w+ ){{0,2}}(?:spirals?|rounds?|rnds?|rows?)\b(?! until))|{_SHAPE} (?:by )?\d+ (?:sts?|sc|dc|stitches|times)? ?(?:evenly )?(?:spaced )?(?:in|on|per) (?:each|every)? ?(?:rounds?|rnds?))"
 )
 _Rule = tuple[re.Pattern[str], Callable[[re.Match[str]], str]]
 

@@ -344,6 +344,8 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     if any(t.kind in ("number", "ordinal") or t.word in "()[]" for t in name):
         return None
     whole = "-".join(t.word for t in name if t.word != "-")
+    if len(name) > 1 and name[-1].value in _LOOPED:  # "shaggy loop stitch = …"
+        return [whole, f"{whole}s"], name[-1].value
     stitch = any(t.kind == "stitch" or (t.kind == "key" and t.value == "stitch") for t in name)
     kinds = [t.value for t in said if t.kind == "stitch" and t.value in _KINDS]
     named = [t.value for t in name if t.kind == "stitch" and t.value in _KINDS]
@@ -372,6 +374,7 @@ def _close(tokens: list[Token]) -> int:
 
 _TOGETHER: Final = re.compile(r"(?:sts?|loops?|lps?)([2-6])tog")
 _KINDS: Final = ("sc", "hdc", "dc", "tr")
+_LOOPED: Final = ("loopst", "fur")
 
 
 def definition(tokens: list[Token]) -> tuple[Token, str] | None:

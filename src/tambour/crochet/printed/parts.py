@@ -267,7 +267,10 @@ class Draft:
             message = f"round {body.below[0]} is named here, and this is worked into round {self.last}"
             source.doubt(message, f"join the yarn there first: join with sl st to Rnd {body.below[0]}", body.below[1])
         at = head.span if head is not None and numbers else said[1] if said is not None else None
-        items, next_hue = handed_on(items) if times > 1 or len(numbers) > 1 else (items, None)
+        several = times > 1 or len(numbers) > 1
+        later = body.later if several else [one for one in body.later if not closes(one[0])]
+        items += [item for item, _ in body.later if not several and closes(item)]
+        items, next_hue = handed_on(items) if several else (items, None)
         bare = lifted_last(items, self.edge, body.stated, source.stitches, times) if head is not None else None
         if bare is not None and not closes(bare[-1]):
             items, notes = bare, (*notes, words_of(items[-1]))  # it is printed, and makes no stitch
@@ -283,7 +286,7 @@ class Draft:
             made = [replace(line, number=n) for n in numbers]
         made = colored(
             joined_last(made, self.lines) if self.off is not None else made,
-            [*body.later, *([(next_hue, 0)] if next_hue is not None else [])],
+            [*later, *([(next_hue, 0)] if next_hue is not None else [])],
         )
         self.lines += made
         self.spread |= {span.start} if body.spread else set()

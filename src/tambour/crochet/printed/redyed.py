@@ -8,12 +8,16 @@ from dataclasses import replace
 from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.items import span_of, works
+from tambour.crochet.printed.risen import closes
 
 
 def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
     """``lines`` with the colours behind them that are changed to when they are worked, or in the midst of them: "Rounds 3-6: …; change
     to B at end of Round 4"."""
     for hue, number in later:
+        if closes(hue):
+            lines = _closed(lines, hue, number)
+            continue
         dyed = Line((hue,), span_of(hue), False)
         at = next(
             (k for k, n in enumerate(lines) if n.number is not None and n.number <= number < n.number + n.times - 1),
@@ -29,6 +33,27 @@ def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
         more = replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)
         lines = [*lines[:at], first, dyed, more, *lines[at + 1 :]]
     return lines
+
+
+def _closed(lines: list[Line], join: Item, number: int) -> list[Line]:
+    """``lines`` of which one round is joined: the one with that number, or the last."""
+    at = next((k for k, n in enumerate(lines) if n.number and n.number <= number < n.number + n.times), len(lines) - 1)
+    line = lines[at]
+    begin = line.number or 0
+    done = number - begin if begin <= number < begin + line.times else line.times - 1
+    parts = [
+        replace(
+            line,
+            items=(*line.items, *items),
+            times=many,
+            times_span=line.times_span if many > 1 else None,
+            number=None if line.number is None else begin + before,
+            notes=line.notes if before + many == line.times else (),
+        )
+        for many, before, items in ((done, 0, ()), (1, done, (join,)), (line.times - done - 1, done + 1, ()))
+        if many
+    ]
+    return [*lines[:at], *parts, *lines[at + 1 :]]
 
 
 def handed_on(items: list[Item]) -> tuple[list[Item], Item | None]:
@@ -68,7 +93,22 @@ def redyed(line: Line, lines: list[Line], hues: list[RGB]) -> list[Line]:
     return [replace(made[0], items=(begun, *made[0].items)), *made[1:]]
 
 
-def _dyed(item: Item, hues: Mapping[tuple[int, ...], RGB]) -> Item:
+def turned_to(line: Line, later: list[tuple[Action, int]], first: int) -> list[Line]:
+    """The rounds of ``line``, the first of which is numbered ``first`` where it is written, that change their yarn at the end of some of them, "as for
+    Head, changing to G at end of Round 4": in place of the yarn that is changed to there, or else of the next."""
+    made = list(line.rounds()) if later else [line]
+    for hue, number in later:
+        k = number - first
+        items, old = handed_on(list(made[k].items))
+        behind = (i for one in made[k + 1 :] for i in one.items if isinstance(i, Action) and i.name == "color")
+        old = old or next(behind, None)
+        dyes = {old.numbers: hue.numbers} if isinstance(old, Action) else {}
+        rest = [replace(one, items=tuple(_dyed(i, dyes) for i in one.items)) for one in made[k + 1 :]]
+        made = [*made[:k], replace(made[k], items=(*items, hue)), *rest]
+    return made
+
+
+def _dyed(item: Item, hues: Mapping[tuple[int, ...], tuple[int, ...]]) -> Item:
     """``item`` with other colours in place of those it changes to."""
     if isinstance(item, Group):
         return replace(item, items=tuple(_dyed(i, hues) for i in item.items))

@@ -16,7 +16,7 @@ from tambour.crochet.printed.naming import figured, named, version
 from tambour.crochet.printed.parts import MARKED, MOST_ROUNDS, Draft
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, rounds_until
-from tambour.crochet.printed.redyed import dressed, redyed
+from tambour.crochet.printed.redyed import dressed, redyed, turned_to
 from tambour.crochet.printed.state import State
 
 
@@ -104,13 +104,14 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     lines = tuple(one for line in lines for one in ((line,) if line.again is None else line.rounds()))
     said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
     later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
-    later += tuple(hue for hue, _ in body.later if isinstance(hue, Action))
+    midway = [(hue, n) for hue, n in body.later if isinstance(hue, Action) and 0 <= n - first_number < total - 1]
+    later += tuple(hue for hue, n in body.later if isinstance(hue, Action) and (hue, n) not in midway)
     lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
     again = Again(lines, first_number, last_number, "" if origin is draft else origin.name, refers.span)
     line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
     if numbers and head is not None:
         draft._numbered(source, head, True)
-    made = redyed(line, origin.lines, body.hues) if body.hues else [line]
+    made = redyed(line, origin.lines, body.hues) if body.hues else turned_to(line, midway, first_number)
     dyes = {i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"}
     if body.hues and max(len(body.hues), len(dyes)) > 1:
         message = "these yarns are taken in the order in which colours come there"

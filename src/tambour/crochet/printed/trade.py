@@ -83,6 +83,8 @@ class Trade(Dyes):
             return False
         if "thicknesses" in keys and not layers:
             return False
+        if said[0].value == "close" and any(t.word == "," for t in said[: said.index(worked[0])]):
+            return False  # "Pull tight, sc in next 12 sts"
         found.append(Action("fold", said[0].span))
         c.at = begin + len(said)
         while (token := c.look()) is not None and token.word not in ENDS:
@@ -229,8 +231,10 @@ class Trade(Dyes):
             if word == "count":
                 standing(found)
             self.to_separator()
-        elif word == "not" and c.key("join", "turn", "fasten off", "close", "stuff", "marker", "color", "begin"):
-            self.by_the_way(c.at - 1)
+        elif word == "not" and (c.key("join", "turn", "fasten off", "color", "begin") or self._says_no_stitch()):
+            self.by_the_way(c.at - 1)  # "do not join", "without turning", "do not cut white"
+        elif word == "color" and (after := c.look()) is not None and after.word in _COURSE:
+            self.by_the_way(c.at - 1)  # "continue in a spiral"
         elif word == "side" and (after := c.look()) is not None and after.word in ("edge", "edges"):
             c.at -= 1  # "sc along bottom edge of Wing"
             if not self.along(found):
@@ -245,6 +249,13 @@ class Trade(Dyes):
             raise NotUnderstood(
                 token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
             )
+
+    def _says_no_stitch(self) -> bool:
+        """Whether no stitch and no number stands in what is left of the clause at the cursor."""
+        c, begin = self.c, self.c.at
+        self.to_separator()
+        said, c.at = c.tokens[begin : c.at], begin
+        return bool(said) and not any(t.kind in ("stitch", "number", "ordinal") for t in said)
 
     def by_the_way(self, begin: int) -> None:
         """Goes past a clause that makes no stitch, "place marker", "do not join", and keeps it with its round."""
