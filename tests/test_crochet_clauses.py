@@ -157,3 +157,53 @@ def test_a_loop_stitch_of_any_kind_is_one(name: str) -> None:
     lists = f"ABBREVIATIONS\n{name} = wrap the yarn around a finger, then sc\n\nBODY"
     line = of(f"{BALL.replace('BODY', lists)}Rnd 3: {name} in next 6 sts, sc in next 6 sts (12)\n").parts[0].lines[-1]
     assert said(line.items) == "6 loopst, 6 sc"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "sc in 2nd ch from hook, sc in next 2 ch, 3 sc in last ch, turn work and sc 2 on the other side, inc (10)",
+        "3 sc, 3 sc in last ch, rotate and sc 2 along the other side, inc (10)",
+        "From 2nd ch: sc 3, 3 sc in last ch. Turn work and 2 sc on the opposite side, inc (10)",
+        "3 sc, 3 sc in one, turn the work, sc 2 on the other side of the chain, inc (10)",
+    ],
+)
+def test_stitches_that_a_clause_works_on_the_other_side_of_the_chain_are_not_lost(words: str) -> None:
+    pattern = of(f"Shoe\n\nFoot\nCh 5.\nRnd 1: {words}\nRnd 2: sc in each st around (10)\n")
+    assert not pattern.unread and pattern.built is not None and not pattern.built.warnings
+    assert [(w.made, w.left) for w in pattern.built.worked if w.line.in_round] == [(10, 0), (10, 0)]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Turn to bottom loops of ch, hdc in 3rd loop from hook and in each loop across",
+        "Working in bottom loops of ch, hdc in 3rd ch from hook and in each ch across",
+        "Working in back bumps of ch, hdc in 3rd ch from hook and in each ch across",
+    ],
+)
+def test_a_row_in_the_bottom_loops_of_its_chain_is_no_oval(words: str) -> None:
+    pattern = of(f"Set\n\nScarf\nWith red yarn, ch 32.\nRow 1: {words}. Fasten off.\n")
+    assert not pattern.unread and pattern.built is not None
+    assert [w.made for w in pattern.built.worked if w.line.in_round] == [30]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Work as for first doll, using C, changing to A at end of round 4.",
+        "Work as for first doll, working rounds 1-4 using C, then changing to A at end of round 4.",
+        "With C, work as for first doll, changing to A at end of Rnd 4.",
+    ],
+)
+def test_rounds_worked_again_in_another_yarn_change_to_the_one_that_is_named(words: str) -> None:
+    rounds = "Round 1: 5 sc in magic ring (5)\nRound 2: 2 sc in each st around (10)\nRound 3: sc in each st around (10)\nRound 4: sc2tog 5 times, changing to B (5)\nRounds 5 and 6: sc in each st around (5)\nFasten off.\n"
+    pattern = of(
+        f"Dolls\n\nMATERIALS\nA white\nB black\nC red\n\nFIRST DOLL\nArms (make 2)\nWith A,\n{rounds}\nSECOND DOLL\nArms (make 2)\n{words}\n"
+    )
+    assert not pattern.unread and pattern.built is not None
+    first, second = (
+        [i.numbers for line in part.lines for i in line.items if isinstance(i, Action) and i.name == "color"]
+        for part in pattern.parts[:2]
+    )
+    assert second[-2:] != first[-2:] and second[-1] == first[0] and second[-2] not in first

@@ -25,6 +25,7 @@ _IDIOMS: Final = tuple(
         (rf"({NUMBER}) (?:more )?(rounds?|rnds?|rows?) straight(?: in (?:dc|sc|tr|double crochet|single crochet))?", "{1} {2} even"),
         (rf"(work|and|,|;) ({NUMBER}) (rounds?|rnds?|rows?) more(?= [.,;]| ?$)", "{1} {2} {3} even"),
         (r"ch(?:ain)? (?:1|one) (?:for|to) (?:the )?(?:colou?r change|change (?:the )?colou?rs?)(?: ,? ?\(? ?(?:does not|doesn't) count(?: as (?:a |an )?(?:st|sc|dc|hdc|stitch))?(?: \))?)?", "marker"),  # kept with its round, and no stitch
+        (r"work(?:ing)? (?:rounds?|rnds?|rows?) 1 (?:-|to|through) \d+ (?:using|with|in) (\w+)(?= ,? ?(?:and |then )*(?:chang|switch))", "using {1}"),
         (r"all (?:the way )?(?:a)?round (sc|dc|hdc|htr|tr|single crochet|double crochet)", "{1} around"),
         (r"(cut|break|leave|change|attach|hide|tie off|fasten off) (?:the |your |a |long )*ropes?", "{1} the yarn"),
         (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),

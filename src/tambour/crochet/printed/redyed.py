@@ -93,10 +93,9 @@ def redyed(line: Line, lines: list[Line], hues: list[RGB]) -> list[Line]:
     return [replace(made[0], items=(begun, *made[0].items)), *made[1:]]
 
 
-def turned_to(line: Line, later: list[tuple[Action, int]], first: int) -> list[Line]:
-    """The rounds of ``line``, the first of which is numbered ``first`` where it is written, that change their yarn at the end of some of them, "as for
+def turned_to(made: list[Line], later: list[tuple[Action, int]], first: int) -> list[Line]:
+    """Rounds one by one, ``made``, the first of which is numbered ``first`` where it is written, that change their yarn at the end of some of them, "as for
     Head, changing to G at end of Round 4": in place of the yarn that is changed to there, or else of the next."""
-    made = list(line.rounds()) if later else [line]
     for hue, number in later:
         k = number - first
         items, old = handed_on(list(made[k].items))

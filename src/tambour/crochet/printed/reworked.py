@@ -111,7 +111,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
     if numbers and head is not None:
         draft._numbered(source, head, True)
-    made = redyed(line, origin.lines, body.hues) if body.hues else turned_to(line, midway, first_number)
+    made = redyed(line, origin.lines, body.hues) if body.hues else list(line.rounds()) if midway else [line]
+    made = turned_to(made, midway, first_number)
     dyes = {i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"}
     if body.hues and max(len(body.hues), len(dyes)) > 1:
         message = "these yarns are taken in the order in which colours come there"

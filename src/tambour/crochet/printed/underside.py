@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.printed.tokens import Token
@@ -27,6 +28,7 @@ _LONGEST: Final = 22
 def plainly_put(tokens: list[Token]) -> list[Token]:
     """``tokens`` with "turn the work and carry on along the bottom of the chain:" as "other side,"."""
     made: list[Token] = []
+    tokens = _in_bumps(tokens)
     foreign = any(_names_side(t) for t in tokens if t.value == "side")
     at, begun = 0, False
     while at < len(tokens):
@@ -66,6 +68,16 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
         begins = (
             not at or tokens[at - 1].word in _STOPS or tokens[at - 1].value == "and" or tokens[at - 1].kind == "number"
         )
+        if begins and begun and (worked := _worked_there(tokens, at)):
+            if len(made) > 1 and made[-1].word == "," and made[-2].value == "turn":
+                del made[-2:]  # "turn the work, sc 2 on the other side of the chain"
+            made += [
+                Token("mark", ",", tokens[at].start, tokens[at].start),
+                *_sided(tokens[worked[0]], tokens[worked[0]]),
+            ]
+            made += tokens[worked[0] : worked[1]]
+            at = worked[2]
+            continue
         end = max(_other(tokens, at, begun), _foreign(tokens, at) if foreign else at) if begins else at
         if end > at:
             first, last = tokens[at], tokens[end - 1]
@@ -82,6 +94,42 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
         if _unparted(tokens, at):
             made.append(Token("mark", ",", tokens[at - 1].end, tokens[at - 1].end))
     return made
+
+
+def _in_bumps(tokens: list[Token]) -> list[Token]:
+    """``tokens`` with the bottom loops of a chain that a row begins in, "Turn to bottom loops of ch, sc in 2nd loop from hook", as its bumps: no other side."""
+    at = next((k for k, t in enumerate(tokens) if t.value == "side" and t.word == "bottom"), None)
+    if at is None or any(t.kind == "stitch" and t.value != "ch" for t in tokens[:at]):
+        return tokens
+    loops = at + 1 < len(tokens) and tokens[at + 1].word in ("loop", "loops", "lps")
+    hook = next((k for k, t in enumerate(tokens) if t.value == "hook"), 0)
+    if not loops or hook < at:
+        return tokens
+    first, last = tokens[at], tokens[at + 1]
+    begin = at - 2 if [t.value for t in tokens[max(0, at - 2) : at]] == ["turn", "to"] else at
+    led = [Token("key", "in", first.start, first.start, "in")] if begin < at else []
+    bumps = Token("key", "bottom loops", first.start, last.end, "bumps", first.glued, first.capital)
+    rest = [replace(t, kind="stitch", value="ch") if t.value == "loop" else t for t in tokens[at + 2 :]]
+    return [*tokens[:begin], *led, bumps, *rest]
+
+
+def _worked_there(tokens: list[Token], at: int) -> tuple[int, int, int] | None:
+    """Of a clause at ``at`` that works stitches along the other side, "turn work and sc 3 on the other side", where these begin and end, and where it ends."""
+    begin = at
+    while begin < len(tokens) and (tokens[begin].value == "turn" or tokens[begin].word in _TURNS):
+        begin += 1
+    kinds = [t.kind for t in tokens[begin : begin + 2]]
+    if sorted(kinds) != ["number", "stitch"] or any(t.value == "ch" for t in tokens[begin : begin + 2]):
+        return None
+    end = next((k for k in range(begin + 2, len(tokens)) if tokens[k].word in (*_STOPS, ")", "]")), len(tokens))
+    said = tokens[begin + 2 : end]
+    other = any(t.value == "side" for t in said) or {"other", "side"} <= {t.word for t in said}
+    plain = all(t.value in ("in", "around", "side", "ch", "foundation") or t.word in _ALONG for t in said)
+    return (begin, begin + 2, end) if other and plain else None
+
+
+_TURNS: Final = frozenset("and then rotate flip spin work piece it the your now".split())
+_ALONG: Final = frozenset("along down up across the other opposite side of to on".split())
 
 
 def _sided(first: Token, last: Token) -> list[Token]:
