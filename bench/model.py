@@ -179,6 +179,8 @@ def main() -> None:
             continue
         row = measured(path, given.stitches, given.out)
         rows.append(row)
+        if given.json:  # as each is done: all of a folder take an hour
+            given.json.write_text(json.dumps(rows, indent=1))
         print(" ".join(f"{k} {v}" for k, v in row.items() if k != "told"), flush=True)
     done = [r for r in rows if "mean" in r]
     if done:
@@ -199,8 +201,6 @@ def main() -> None:
         print(
             f"checks {sum(r['check'] for r in done)}; settled {np.mean([r['settled'] for r in done]):.2f}; same {np.mean([r['same'] for r in done]):.2f}"
         )
-    if given.json:
-        given.json.write_text(json.dumps(rows, indent=1))
 
 
 if __name__ == "__main__":

@@ -42,19 +42,19 @@ from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
 from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
-from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, roundness, shortened, tried
+from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, resized, roundness, short, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.painted import painted
 from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
 from tambour.crochet.model.readable import cost, easy, followable, kind, rounds, sparing
-from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
+from tambour.crochet.model.rounds import Round, Rounds, Thread, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
-from tambour.crochet.model.seating import Rest, alike, longer, nudged, singly
+from tambour.crochet.model.seating import Rest, alike, fitted, nudged, singly
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.threads import most
 from tambour.crochet.model.tips import Mirror, choose, facing, level, mirror, stands
 from tambour.crochet.model.ways import between, ringed
-from tambour.crochet.model.whole import area, bodies, refined, volume, where
+from tambour.crochet.model.whole import area, bodies, corners, refined, volume, where
 from tambour.crochet.page import instructions
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.ofmodel import noted
@@ -182,12 +182,13 @@ def test_the_loop_mends_rounds_that_began_too_wide_or_too_narrow_by_counts_alone
     assert piece.aim.distance["mean"] == pytest.approx(min(way), abs=0.05)
 
 
-def test_a_part_whose_ends_stand_out_of_its_model_is_worked_in_fewer_rounds() -> None:
+@pytest.mark.parametrize("more", [2, -2])
+def test_a_part_too_long_or_too_short_for_its_model_is_worked_in_fewer_or_more_rounds(more: int) -> None:
     x, faces, _ = bodies(Mesh(*globe(3.5, 16, 1.6)), [])[0]
     tip = int(x[:, 1].argmax())
     f = distances(x, faces, np.array([tip]))
     lines_of = lambda high: fronts(x, faces, f, len(high), tip, None, high)  # noqa: E731
-    long = round(float(f.max())) + 2
+    long = round(float(f.max())) + more
     task = Task(
         "Ball",
         lines_of(np.ones(long)),
@@ -200,10 +201,14 @@ def test_a_part_whose_ends_stand_out_of_its_model_is_worked_in_fewer_rounds() ->
         lines=lines_of,
     )
     begun = tried(task, task.way.girths)
-    on, best, history = shortened(task, begun, 2)
-    assert len(on.way.lines) < long and best.distance.mean < begun.distance.mean - 0.05 and len(history) > 1
+    on, best, history = resized(task, begun, 2)
+    assert (
+        more * (len(on.way.lines) - long) < 0 and best.distance.mean < begun.distance.mean - 0.05 and len(history) > 1
+    )
+    assert abs(short(best)) < abs(short(begun)) - 0.5
     assert min(best.counts[:2]) >= 5 and best.counts[1] > 8
-    assert shortened(on, best, 2)[0] is on or len(shortened(on, best, 2)[0].way.lines) < len(on.way.lines)
+    again = resized(on, best, 2)[0]
+    assert again is on or abs(len(again.way.lines) - long) > abs(len(on.way.lines) - long)
 
 
 @pytest.mark.slow
@@ -508,6 +513,25 @@ def test_limbs_are_called_by_where_they_stand_and_both_of_a_pair_the_same() -> N
         assert all((limb.base[1] > 8.0) == (name == "Ear") for limb in group)
 
 
+def test_ears_at_the_sides_of_a_head_are_no_arms_and_shells_that_go_into_each_other_have_limbs() -> None:
+    def shell(middle: tuple[float, float, float], wide: tuple[float, float, float]) -> tuple[Array, Array]:
+        x, faces = globe(1.0, 16)
+        return x * np.array(wide) + np.array(middle), faces
+
+    both = [((s * 8.5, 18.0, 0.0), (5.0, 5.0, 2.0)) for s in (1.0, -1.0)]
+    both += [((s * 8.0, 3.0, 2.0), (4.0, 2.5, 2.5)) for s in (1.0, -1.0)]
+    own = [shell(*one) for one in (((0.0, 0.0, 0.0), (8.0, 10.0, 8.0)), ((0.0, 14.0, 0.0), (7.0, 7.0, 7.0)), *both)]
+    first = np.cumsum([0, *(len(x) for x, _ in own)])
+    x, faces, _ = bodies(
+        Mesh(np.concatenate([x for x, _ in own]), np.concatenate([f + n for (_, f), n in zip(own, first)])), []
+    )[0]
+    x, faces, _ = refined(*coarse(x, faces, 0.5, 0.1), 1.0)
+    body, rest, groups = limbs(x, faces, mirror(x, faces), [])
+    said = dict(zip(names((body, rest), groups, set())[1:], groups))
+    assert {name: len(group) for name, group in said.items()} == {"Ear": 2, "Arm": 2}
+    assert said["Ear"][0].base[1] > said["Arm"][0].base[1] + 8.0
+
+
 def test_a_head_on_its_neck_stays_with_the_body_and_an_arm_does_not() -> None:
     turn = np.linspace(0.0, np.pi, 13)
     below = [(10.0 * math.sin(a), -10.0 * math.cos(a)) for a in turn[:12]]
@@ -730,21 +754,27 @@ def test_a_pair_is_sewn_on_in_one_round_leaning_as_each_others_image() -> None:
     assert pair(one, Poses((Spot("B", 9.0, 1.0),), two.price[:1])) is None
 
 
-def test_a_part_sewn_on_too_deep_has_rounds_more() -> None:
+def test_a_part_sewn_on_too_deep_has_rounds_more_and_one_that_stands_out_has_one_less() -> None:
     part = Rounds("Leg", 6, (Round(("inc",) * 6), *(Round(("sc",) * 12),) * 4), closed=False)
     worked = settled(part, CrochetParams())
     none: Any = None
     tried = Tried(part, part.counts(), worked.x, none, worked, none, (), none)
     piece = Piece(part, tried, none, 0.0, (worked.x,), (worked.x + 1.0,), (worked.x[-12:].mean(0),), ((0, 0),))
-    made = longer(piece, [-1.9], CrochetParams(), (5.0, 5.0))
+    made = fitted(piece, [-1.9], CrochetParams(), (5.0, 5.0))
     assert made.rounds.counts() == [6, 12, 12, 12, 12, 12, 12, 12] == made.tried.counts
     assert len(made.goals[0]) == len(made.lain[0]) == len(made.tried.worked.x) == len(worked.x) + 24
     assert made.lain[0][: len(worked.x)].mean(0) == pytest.approx(worked.x.mean(0) + 1.0, abs=1e-6)
     down = [made.goals[0][-12:].mean(0), made.goals[0][-36:-24].mean(0)]
     assert np.sqrt(((down[0] - down[1]) ** 2).sum()) == pytest.approx(2.0)
     assert (
-        longer(piece, [-0.4], CrochetParams(), (5.0, 5.0)) is piece is longer(piece, [1.0], CrochetParams(), (5.0, 5.0))
+        fitted(piece, [-0.4], CrochetParams(), (5.0, 5.0)) is piece is fitted(piece, [0.4], CrochetParams(), (5.0, 5.0))
     )
+    less = fitted(piece, [1.9], CrochetParams(), (5.0, 5.0))
+    assert less.rounds.counts() == [6, 12, 12, 12, 12] == less.tried.counts
+    assert len(less.goals[0]) == len(less.lain[0]) == len(less.tried.worked.x) == len(worked.x) - 12
+    assert less.goals[0] == pytest.approx(worked.x[:-12])
+    tied = replace(piece, rounds=replace(part, threads=(Thread((6, 1), (5, 6), 9),)))
+    assert fitted(tied, [1.9], CrochetParams(), (5.0, 5.0)) is tied  # a thread ends in the round that would go
 
 
 def test_fabric_that_passes_through_itself_is_seen_and_what_only_touches_is_not() -> None:
@@ -932,6 +962,29 @@ def test_a_mesh_of_crumbs_is_told_in_one_line() -> None:
     loose = x[faces].reshape(-1, 3) + 0.01 * np.sin(np.arange(3 * faces.size)).reshape(-1, 3)
     with pytest.raises(TambourError, match="hang together nowhere"):
         made(Mesh(loose, np.arange(faces.size).reshape(-1, 3)))
+
+
+def test_bodies_that_go_into_each_other_are_one_skin_and_others_are_told() -> None:
+    globes = [(10.0, 0.0, 0.0), (7.0, 13.0, 0.0), (2.0, 13.0, 0.0), (4.0, 0.0, 30.0)]
+    own = [globe(radius, 16) for radius, _, _ in globes]
+    x = np.concatenate([v + np.array([aside, up, 0.0]) for (v, _), (_, up, aside) in zip(own, globes)])
+    faces = np.concatenate([f + n for (_, f), n in zip(own, np.cumsum([0, *(len(v) for v, _ in own)]))])
+    told: list[str] = []
+    found = bodies(Mesh(x, faces), told)
+    assert len(found) == 2 and "3 bodies" in told[0] and "2 bodies that do not hang together" in told[1]
+    (skin, sides, first), (alone, _, _) = found
+    pairs = np.sort(np.concatenate([sides[:, :2], sides[:, 1:], sides[:, ::2]]), axis=1)
+    edges, count = np.unique(pairs, axis=0, return_counts=True)
+    assert (count == 2).all() and len(skin) - len(edges) + len(sides) == 2
+    apart = sum(volume(*globe(radius, 16)) for radius in (10.0, 7.0))
+    lens = math.pi * 4.0**2 * (13.0**2 + 2 * 13.0 * 17.0 - 3.0 * 3.0**2) / (12.0 * 13.0)  # two balls' common part
+    assert volume(skin, sides) == pytest.approx(apart - lens, rel=0.01)
+    assert (
+        np.sqrt(((skin - (x[first] - x[corners(faces)].mean(0))) ** 2).sum(1)).max() < 2.5
+    )  # corners keep their colours
+    assert np.ptp(alone, axis=0) == pytest.approx([8.0, 8.0, 8.0], rel=0.02)
+    far: list[str] = []
+    assert len(bodies(Mesh(*globe(10.0)), far)) == 1 and not far
 
 
 def test_a_model_far_from_its_origin_keeps_its_inside() -> None:

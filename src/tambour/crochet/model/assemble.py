@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -74,8 +75,8 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> tuple
     even : the model is its own mirror image, left and right, and so are the angles of a pair
     fine : places and angles as near as can be; else those that there are words for
     """
-    built = build(pattern([p.rounds for p in pieces]))
-    spots, graph = Spots(built), built.graph
+    spots = _spots(tuple(p.rounds for p in pieces))
+    built, graph = spots.built, spots.built.graph
     alone = np.concatenate([p.tried.worked.x for p in pieces for _ in p.goals])
     goal = np.concatenate([g for p in pieces for g in p.lain])
     bodies = parts(graph)
@@ -155,6 +156,12 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> tuple
     return [_line(said) for said, _ in steps.values()], join(
         Joining(built, spots, tuple(steps.values()), ()), alone, bodies
     ).x
+
+
+@lru_cache(maxsize=4)
+def _spots(rounds: tuple[Rounds, ...]) -> Spots:
+    """The places of a pattern of parts: the same ones are put elsewhere again and again."""
+    return Spots(build(pattern(rounds)))
 
 
 def angled(plain: Placed, frame: Frames, axis: Array, front: Array, fine: bool) -> Placed:

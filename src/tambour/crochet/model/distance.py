@@ -14,6 +14,8 @@ from tambour.geometry.surface import face_normals
 
 SAMPLES = 2000
 """Points on each of the two surfaces that are measured from."""
+SPARED = 4
+"""Of so many points one is enough to lay the surfaces upon each other."""
 TURNS = 12
 """How often the surfaces are laid upon each other anew, at the most."""
 STILL = 2e-5
@@ -109,18 +111,15 @@ def distance(
     made = tree(vertices, faces)
     corners, normals = vertices[faces], face_normals(vertices, faces)
     near: tuple[Array | None, Array | None] = (None, None)
-    there, back = np.zeros(0), np.zeros(0)
-    for k in range(TURNS + 1):
-        lain = turned(own, turn) + shift
+    some, aims = own[::SPARED], target.points[::SPARED]
+    for _ in range(TURNS if moves else 0):
+        lain = turned(some, turn) + shift
         face, uv, there = nearest(target.tree, lain, near[0])
-        asked = turned(target.points - shift, turn.T)
-        seen, at, back = nearest(made, asked, near[1])
+        seen, at, back = nearest(made, turned(aims - shift, turn.T), near[1])
         near = face, seen
-        if k == TURNS or not moves:
-            break
         goal = _point(target.vertices[target.faces[face]], uv)
-        moving = turned(np.concatenate([own, _point(corners[seen], at)]), turn) + shift
-        fixed = np.concatenate([goal, target.points])
+        moving = turned(np.concatenate([some, _point(corners[seen], at)]), turn) + shift
+        fixed = np.concatenate([goal, aims])
         out = np.concatenate([target.normals[face], turned(normals[seen], turn)])
         # What lies far off is another limb, or none: it shall not turn the whole.
         far = np.concatenate([there, back])
@@ -129,6 +128,8 @@ def distance(
         turn, shift = new @ turn, turned(shift, new) + to
         if moved < STILL * target.size:
             break
+    there = nearest(target.tree, turned(own, turn) + shift)[2]
+    back = nearest(made, turned(target.points - shift, turn.T))[2]
     every = np.concatenate([there, back])
     return Distance(
         0.5 * (float(there.mean()) + float(back.mean())),

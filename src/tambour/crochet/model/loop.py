@@ -41,8 +41,9 @@ BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
 AT_END, BLUNT = 3, 0.85
 """So many rounds at an end come to this share of it at the least: a thinner end is a peg."""
-FEWER = 3
-"""A part is worked in so many rounds fewer, at the most, than its way is long."""
+FEWER, EVENED = 3, 2
+"""A part is worked in so many rounds fewer, or more, at the most, than its way is long; how far it goes is told by the means of so many
+rounds on either side of each."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -162,7 +163,7 @@ def roundness(way: Fronts) -> float:
 def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
     """The same, filled as the task says."""
     best, history = _counted(task, first, tries)
-    for change in (shortened, bent):
+    for change in (resized, bent):
         task, best, more = change(task, best, tries)
         history += more
     most = threads.most(sum(best.counts), task.plain) if task.params.stuffing != "none" else 0
@@ -183,21 +184,45 @@ def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[flo
     return task, (best if task.plain <= 0.0 or threads.worth(bare, best) else bare), history
 
 
-def shortened(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
-    """The task, and the best rounds of it, with as many rounds fewer as its ends stand out of the model, if that brings it nearer: stuffing
-    makes a part longer, and rounds alone cannot but make its ends thin."""
-    rows, row = len(task.way.lines), task.stitch[1] / task.stitch[0]
-    off = signed(task.target, best.worked.x, best.distance)
-    out = max(float(off[0]), 0.0) + (max(float(off[-1]), 0.0) if task.way.closed else 0.0)
-    less = min(int(out / row), FEWER)
-    if task.lines is None or task.hollow[0] or less < 1 or rows < 3 * FEWER:
-        return task, best, []
-    way = task.lines(np.ones(rows - less))
-    many = len(way.lines)
-    wider = np.interp((np.arange(many) + 0.5) / many, (np.arange(rows) + 0.5) / rows, best.wanted / task.way.girths)
-    on = replace(task, way=way, leans=())
-    now, history = _counted(on, tried(on, wider * way.girths), min(AGAIN, tries))
-    return (on, now, history) if now.price < best.price - GAIN else (task, best, history)
+def resized(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    """The task, and the best rounds of it, with rounds fewer or more, one after another as long as that brings it nearer: fewer by as many
+    as its ends stand out of the model (stuffing bulges ends, and counts alone cannot but make them thin), or more or fewer by what
+    it came out too short or too long by, as fabric that is curved is."""
+    rows, row, history = len(task.way.lines), task.stitch[1] / task.stitch[0], list[float]()
+    if task.lines is None or task.hollow[0] or rows < 3 * FEWER:
+        return task, best, history
+    least, most = rows - FEWER, rows + FEWER
+    while True:
+        rows = len(task.way.lines)
+        off = signed(task.target, best.worked.x, best.distance)
+        out = max(float(off[0]), 0.0) + (max(float(off[-1]), 0.0) if task.way.closed else 0.0)
+        more = min(max(rows + (-int(out / row) or round(short(best) / row)), least), most) - rows
+        if not more:
+            return task, best, history
+        way = task.lines(np.ones(rows + more))
+        many = len(way.lines)
+        wider = np.interp((np.arange(many) + 0.5) / many, (np.arange(rows) + 0.5) / rows, best.wanted / task.way.girths)
+        on = replace(task, way=way, leans=())
+        now, through = _counted(on, tried(on, wider * way.girths), tries)
+        history += through
+        if now.price >= best.price - GAIN:
+            return task, best, history
+        task, best = on, now
+
+
+def short(made: Tried) -> float:
+    """By how much a part lies shorter than its model, lengthwise, in stitches; below 0 where it is longer."""
+    return lengthwise(made.goal, made.counts) - lengthwise(made.lain, made.counts)
+
+
+def lengthwise(x: Array, counts: list[int]) -> float:
+    """How long the way is, in stitches, through the middles of the ring and of all rounds of ``counts``, without their wobble. x : (N, 3)."""
+    first = np.concatenate([[0], np.cumsum(counts)])
+    middles = np.add.reduceat(x[1 : 1 + first[-1]], first[:-1], axis=0) / np.array(counts, float)[:, None]
+    padded = np.pad(middles, ((EVENED, EVENED), (0, 0)), mode="edge")
+    even = np.mean([padded[k : k + len(middles)] for k in range(2 * EVENED + 1)], axis=0)
+    steps = np.concatenate([np.diff(even, axis=0), x[:1] - middles[:1]])
+    return float(np.sqrt((steps**2).sum(1)).sum())
 
 
 def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:

@@ -20,11 +20,13 @@ LEVEL = 0.15
 """Pairs that begin so far above each other, as a share of the height, are not of one kind."""
 LIES = 1.15
 """A model lies on its belly where it is so many times as deep as it is high."""
-EAR, TOP, SMALL = 0.45, 0.8, 0.15
+EAR, TOP, SMALL, TINY = 0.45, 0.8, 0.15, 0.08
 """An ear, or a horn, is no longer than the first share of the model; what begins so high up is on the head; what is so short is too, at the
-end of a body that lies."""
+front or the back end of a body, and what is shorter than the last wherever it stands up."""
 WHIP = 5.0
 """What stands upright on a body that lies, and is longer than so many times what it is wide, is no fin."""
+ASIDE = 0.15
+"""What is single and begins so far beside the middle is no nose, trunk or tail."""
 FIN, TRUNK = 0.55, 2.6
 """A fin is shorter than this share of what the body is wide, a nose than so many times what it is wide: else a wing, a trunk."""
 
@@ -35,6 +37,7 @@ class Stands:
 
     up, ahead : how high it begins and how far ahead, 0 to 1; way : (3,) where the first points, its x outwards; long : its length
     flat : whether it is; pair : whether it is one, or its twin is another group; slim : its length for how wide it is
+    aside : how far from the middle it begins, as a share of the width
     """
 
     up: float
@@ -44,6 +47,7 @@ class Stands:
     flat: bool
     pair: bool
     slim: float
+    aside: float
 
 
 def names(body: tuple[Array, Array], groups: list[list[Limb]], taken: set[str]) -> list[str]:
@@ -90,6 +94,7 @@ def _stands(k: int, groups: list[list[Limb]], low: Array, high: Array) -> Stands
         bool(spread[0] < FLAT * spread[1]),
         pair,
         limb.rim**2 * math.pi / float(area(limb.vertices, limb.faces[limb.own]).sum()),
+        abs(float(share[0]) - 0.5),
     )
 
 
@@ -113,7 +118,7 @@ def _kind(one: Stands, lies: bool, wide: float, size: float) -> str:
         head = one.up > TOP or (one.up > 0.66 and (one.ahead > 0.6 or not lies))
         if head and one.long < EAR * size and (up > 0.25 or one.flat or lies or one.up > TOP):
             return "Ear"
-        if lies and one.long < SMALL * size and up > 0.2 and not 0.25 < one.ahead < 0.75:
+        if one.long < SMALL * size and up > 0.2 and (not 0.25 < one.ahead < 0.75 or one.long < TINY * size):
             return "Ear"
         if one.flat and lies and one.ahead < 0.3:
             return "Tail Fin"
@@ -122,6 +127,8 @@ def _kind(one: Stands, lies: bool, wide: float, size: float) -> str:
         return "Arm" if across > 0.4 or ahead > 0.4 or not lies else "Leg" if up < 0.0 else "Limb"
     if up < -0.6 and one.up < 0.62 and one.slim > 1.0 and not one.ahead > 0.9:
         return "Leg"
+    if one.aside > ASIDE and one.slim > 1.0 and one.up < 0.62 and not one.flat:  # one whose twin goes on into the body
+        return "Leg" if one.up < 0.4 else "Arm"
     if ahead < -0.5 or (lies and one.ahead < 0.25):
         return "Tail Fin" if one.flat and lies else "Tail"
     if lies and up > 0.5:
@@ -146,7 +153,7 @@ def _together(kinds: list[str], stand: list[Stands], groups: list[list[Limb]], l
     arms = [k for k, kind in enumerate(kinds) if kind in ("Arm", "Wing") and len(groups[k]) == 2]
     if not lies and len(arms) == 2:
         high, low = sorted(arms, key=lambda k: -stand[k].up)
-        if stand[high].flat and stand[high].up > 0.66 and stand[high].up - stand[low].up > LEVEL:
+        if stand[high].up > 0.66 and stand[high].up - stand[low].up > LEVEL:
             kinds[high] = "Ear"
     feet = [k for k, kind in enumerate(kinds) if kind in ("Leg", "Foot") and len(groups[k]) == 2]
     for k in feet:  # of what hangs down the lowest is legs

@@ -19,8 +19,8 @@ WAYS: Final = tuple(range(0, 360, TURN))
 """How far a part can be said to be turned about itself, in degrees."""
 LEANED: Final = ((0, 0), *((tilt, towards) for tilt in LEANS for towards in range(0, 360, CLOCK)))
 """How a part can be said to lean: its tilt and where to, in degrees."""
-BESIDE = 3
-"""How many stitches of a round are tried, the nearest ones."""
+BESIDE, AROUND = 3, 6
+"""How many stitches of a round are tried, the nearest ones; and among how many more they are looked for: between two rounds places lie beside stitches."""
 LIFT = 1.5
 """How far out of the fabric a part comes to lie at the most, in stitches: it is sewn onto it, not into it."""
 ALONG = 0.1
@@ -79,7 +79,8 @@ def poses(host: Host, near: Spot, point: Array, own: Array, want: Array, out: Ar
         low = host.spots.round_at(host.part, int(np.floor(number)))
         if low is None or not min(numbers) <= number <= max(numbers):
             continue
-        tries = [Spot(host.name, float(number), s + 1.0) for s in range(len(host.spots.stitches(low)))]
+        about = np.argsort(length(host.x[host.spots.stitches(low)] - point), kind="stable")[: BESIDE + AROUND]
+        tries = [Spot(host.name, float(number), s + 1.0) for s in sorted(about.tolist())]
         far = [float(length(_point(host, spot) - point)) for spot in tries]
         spots += [tries[k] for k in np.argsort(far, kind="stable")[:BESIDE]]
     off = _off(own, want, out)
@@ -131,7 +132,7 @@ def _prices(host: Host, point: Array, off: Array, room: float) -> Array:
     there = (up_[:, None] * off).sum(0)
     lift = np.clip(-(how * there).sum(2) / max(float((there * up_).sum()), 1e-12), 0.0, LIFT)
     how = how + lift[..., None] * up_
-    price = np.sqrt(np.maximum(np.einsum("lai,ij,laj->la", how, off, how), 0.0))
+    price = np.sqrt(np.maximum((np.einsum("lai,ij->laj", how, off) * how).sum(2), 0.0))
     price[1:] += WORDS
     price[:, 1:] += WORDS
     return np.asarray(price)

@@ -33,8 +33,8 @@ CLASH = 0.03
 """How much farther off, in stitches, a toy may be for two seams that are not in each other's way."""
 CROSSED, RESTLESS = 8.0, 0.05
 """The same for fabric that does not pass through itself, times the share of it that does; and for a toy that comes to rest."""
-ROOTED, ROWS = (1, 3), 3
-"""After so many times parts are made longer, by so many rounds at the most."""
+ROOTED, ROWS, LESS, KEPT = (1, 3), 3, 1, 4
+"""After so many times parts are made longer, or shorter, by so many rounds at the most; so many rounds are left of one at the least."""
 AWAY = 0.4
 """By how much two parts whose seams are in each other's way are moved apart at once, each, in stitches."""
 
@@ -42,7 +42,7 @@ AWAY = 0.4
 def seated(
     pieces: list[Piece], target: Target, params: CrochetParams, stitch: tuple[float, float], plane: Mirror | None
 ) -> tuple[list[Piece], list[str], list[float]]:
-    """The pieces, made longer where they are sewn on deeper than on the model, the lines that sew them on, corrected by how the
+    """The pieces, made longer where they are sewn on deeper than on the model and shorter where they stand out, the lines that sew them on, corrected by how the
     whole comes to rest, and the mean distances on the way.
 
     plane : across which the model is its own mirror image, left and right; None where it is not
@@ -66,7 +66,7 @@ def seated(
         for k in itertools.count():
             if len(way) in ROOTED and known:
                 pieces = [
-                    longer(p, [far[n, c] for c in range(len(p.goals))], params, stitch) for n, p in enumerate(pieces)
+                    fitted(p, [far[n, c] for c in range(len(p.goals))], params, stitch) for n, p in enumerate(pieces)
                 ]
                 known = {}
             aims = {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}
@@ -176,7 +176,8 @@ def nudged(pieces: list[Piece], first: Array, x: Array) -> tuple[Nudges, dict[Ke
         rim = len(goal) - pieces[k].tried.counts[-1]
         out = goal[0] - goal[rim:].mean(0)
         out = out / max(float(length(out)), 1e-9)
-        far[k, c] = float(dot(own[rim:].mean(0) - goal[rim:].mean(0), out))
+        at_end, whole = (float(dot(own[n].mean(0) - goal[n].mean(0), out)) for n in (slice(rim, None), slice(None)))
+        far[k, c] = min(at_end, max(whole, 0.0))
         off[k] += float(length(own - goal).sum())
         turn, shift = fit(put, own, even)
         made[k, c] = turn.T, turned(base - shift, turn.T) - base
@@ -194,35 +195,41 @@ def alike(pieces: list[Piece], nudges: Nudges, plane: Mirror) -> Nudges:
     return made
 
 
-def longer(piece: Piece, far: list[float], params: CrochetParams, stitch: tuple[float, float]) -> Piece:
-    """A piece with as many more plain rounds at its end as its copies are sewn on too deep (``far``, below 0, in stitches)."""
+def fitted(piece: Piece, far: list[float], params: CrochetParams, stitch: tuple[float, float]) -> Piece:
+    """A piece with as many more plain rounds at its end as its copies lie too deep (``far``, below 0, in stitches), or as many fewer of
+    its last ones as they stand out too far: fabric that is stuffed bulges where a limb of the model goes over into its body."""
     row = stitch[1] / stitch[0]
-    more = min(round(-float(np.mean(far)) / row), ROWS)
-    if more < 1 or piece.bases[0] is None:
+    more = max(min(round(-float(np.mean(far)) / row), ROWS), -LESS)
+    kept = len(piece.tried.counts) + min(more, 0)
+    held = max((side[0] for one in piece.rounds.threads for side in (one.first, one.second)), default=0)
+    if not more or piece.bases[0] is None or (more < 0 and kept < max(KEPT, held)):
         return piece
-    last = piece.tried.counts[-1]
-    rounds = replace(piece.rounds, rounds=(*piece.rounds.rounds, *(Round(("sc",) * last),) * more))
-    worked = settled(replace(rounds, copies=1), params, stitch)
+    counts = piece.tried.counts[:kept]
+    last = counts[-1]
+    now = replace(piece.rounds, rounds=(*piece.rounds.rounds[: kept - 1], *(Round(("sc",) * last),) * max(more, 0)))
+    worked = settled(replace(now, copies=1), params, stitch)
 
     def grown(goal: Array) -> Array:
+        goal = goal[: 1 + sum(counts)]
         ring = goal[-last:]
-        ahead = ring.mean(0) - goal[-last - piece.tried.counts[-2] : -last].mean(0)
+        ahead = ring.mean(0) - goal[-last - counts[-2] : -last].mean(0)
         ahead = ahead / max(float(length(ahead)), 1e-9)
         return np.concatenate([goal, *(ring + (j + 1) * row * ahead for j in range(more))])
 
     def lies(old: Array) -> Array:
-        turn, shift = fit(worked.x[: len(old)], old, np.ones(len(old)))
+        many = min(len(old), len(worked.x))
+        turn, shift = fit(worked.x[:many], old[:many], np.ones(many))
         return turned(worked.x, turn) + shift
 
     tried = replace(
         piece.tried,
-        rounds=rounds,
-        counts=[*piece.tried.counts, *[last] * more],
+        rounds=now,
+        counts=[*counts, *[last] * max(more, 0)],
         worked=worked,
         goal=grown(piece.tried.goal),
     )
     goals, lain = tuple(map(grown, piece.goals)), tuple(map(lies, piece.lain))
-    return replace(piece, rounds=rounds, tried=tried, goals=goals, lain=lain)
+    return replace(piece, rounds=now, tried=tried, goals=goals, lain=lain)
 
 
 def share(turn: Array, part: float) -> Array:

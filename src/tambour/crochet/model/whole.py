@@ -77,7 +77,27 @@ def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
         number = np.full(len(x), -1)
         number[here] = np.arange(len(here))
         made.append(_closed(x[here], number[mine], origin[here], tell))
-    return made
+    return _joined(made, tell) if len(made) > 1 else made
+
+
+def _joined(made: list[tuple[Array, Array, Array]], tell: list[str]) -> list[tuple[Array, Array, Array]]:
+    """Several bodies, those that go into each other as one; told is what was done, and of what stays apart that nothing sews it on."""
+    from tambour.crochet.model.united import overlapping, united
+
+    together = overlapping(made)
+    for group in together:
+        if len(group) > 1:
+            tell.append(
+                f"{len(group)} bodies of the model go into each other: they are worked as the one skin that is seen of them"
+            )
+    if len(together) > 1:
+        tell.append(
+            f"the model is {len(together)} bodies that do not hang together: each is a piece of its own, and nothing says where it is sewn on; "
+            "let them go into each other by a stitch where they are to be one"
+        )
+    return [
+        made[group[0]] if len(group) == 1 else _closed(*united([made[k] for k in group]), tell) for group in together
+    ]
 
 
 def welded(vertices: Array, faces: Array, near: float) -> tuple[Array, Array, Array]:
