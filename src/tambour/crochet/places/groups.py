@@ -7,6 +7,7 @@ from typing import Final
 
 from tambour.crochet.places.assembling import AGAIN
 from tambour.crochet.places.names import SIDED, Made, Mention, mentions
+from tambour.crochet.places.ranked import ranked
 from tambour.crochet.places.said import VERB
 from tambour.crochet.words.numbers import QUANTITY, quantity
 
@@ -49,6 +50,8 @@ def grouped(low: str, parts: list[Made]) -> str:
 
     "Sew the 5 spots on the cap: one at the very top and four between rounds 6 and 9"
     """
+    if (each := ranked(low, parts)) != low:
+        return each
     verb = VERB.search(low)
     if verb is None or not any(p.copies > 1 for p in parts):
         return low

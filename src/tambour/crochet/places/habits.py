@@ -69,6 +69,10 @@ _PLAIN: Final[tuple[tuple[str, str], ...]] = (
 _SIDE: Final = r"(?:on|at|to)\s+(?:the\s+|its\s+|his\s+|her\s+)?(?:left|right)(?:[- ]?hand)?(?:\s+side)?"
 _OWN_EDGES: Final = r"(?:sides?|bottom|base|lower\s+edge|top)"
 _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
+    (
+        r"\b(?:on |in |to |at )?(?:the )?(?:between|in between) (?:the |its |his |her |their )?shoulders?(?: ?blades)?\b",
+        "to the upper back of the body",
+    ),
     # one to each side, said of each
     (
         rf"\bone(\s+\w+)?\s+{_SIDE},?\s+(?:and\s+)?(?:the\s+)?(?:one|other|another|second)(?:\s+one)?(?:\s+\w+)?\s+{_SIDE}\b",

@@ -24,6 +24,12 @@ _COVERS: Final = re.compile(
     rf"(?:cover|span|reach|stretch|run|take up|sit|lie)s?\s+(?:over\s+|from\s+|across\s+|between\s+|at\s+|on\s+|about\s+)?(?={_ROUND})"
 )
 """A part and the rounds that it covers: "Each ear covers rounds 4 through 8"."""
+_RUNS: Final = re.compile(
+    r"^\W*(?:(?:the|these|those|all|both|three|four|five|six|two|\d+|your|then|finally|next|remaining|other)\s+)*(?P<name>(?:[^\W\d_]+\s+){0,2}?[^\W\d_]+)\s+"
+    r"(?:should\s+|will\s+|must\s+|can\s+|all\s+|then\s+)*(?:run|go|continue|carry on|follow|march|trail|climb|line up|sit|stand|belong|are|is|come|get lined up|form a (?:line|row)|make a (?:line|row))(?:es|s)?\s+"
+    r"(?P<place>(?:(?:all (?:the way )?|right |straight |evenly |in a (?:straight )?(?:line|row) )*)(?:down|along|up|over|across|on|onto|at|to|from|around|behind|in the middle|next to|below|above|under)\b.*)"
+)
+"""A part, or a row of it, and where it lies: "The small spikes run down the tail"."""
 _SIDES: Final = (
     r"(?:(?:upper|lower|cent(?:er|re)|very)\s+)?"
     r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
@@ -84,6 +90,12 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         return None
     if (covers := _COVERS.match(low)) is not None and (kind_of(one(covers["name"])) or one(covers["name"]) in known):
         return covers.end("name"), " sewn over"
+    if (runs := _RUNS.match(low)) is not None and len(low) < _LONG and not _WORKS.search(runs["place"]):
+        words = [one(w) for w in runs["name"].split()]
+        on = [one(w) for w in re.findall(r"[^\W\d_]+", runs["place"])]
+        there = where(runs["place"]).says or any(w in known or kind_of(w) for w in on)
+        if there and (words[-1] in known or kind_of(words[-1])):
+            return runs.end("name"), " sewn"
     led = _LED.match(low)
     placed = _PLACE.match(low) if led is None and len(low) < _LONG and not _WORKS.search(low) else None
     if placed is not None:

@@ -10,6 +10,7 @@ from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.opening import founding
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.wrapping import step
 
 _COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
@@ -34,6 +35,8 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
     if row.end - row.start < p.long:
         return False
     first = p.source.text.text[after.tokens[0].start]
+    if step(whole, after):
+        return False
     listed = p.mode == "materials" and first.isdigit()  # "3.5 mm hook" is the next thing of a list
     return ((first.islower() and not p.small) or (first.isdigit() and not listed)) and not heads(
         p.vocabulary.read(after.tokens)
@@ -61,7 +64,7 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if not row.tokens:
         return None
     tokens = p.vocabulary.read(row.tokens)
-    if not tokens or heads(tokens) or turning(tokens):
+    if not tokens or heads(tokens) or turning(tokens) or (p.mode == "assembly" and step(p.source.text.text, row)):
         return None
     depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
     last, first = before[-1], tokens[0]
@@ -123,11 +126,20 @@ def stop_between(p: State, before: list[Token], at: int) -> list[Token]:
     return [Token("mark", ".", before[-1].end, before[-1].end)]
 
 
-def rounds(tokens: list[Token]) -> bool:
-    """Whether the text after a bare number is a round's."""
+_SEWN: Final = frozenset(("sew", "pin", "whipstitch", "whip", "embroider", "glue"))
+"""What begins no round, whatever its number."""
+
+
+def rounds(tokens: list[Token], assembly: bool = False) -> bool:
+    """Whether the text after a bare number is a round's. assembly : it stands where parts are put together, whose numbered steps are
+    sentences unless they found a piece."""
     words = [t for t in tokens if t.kind != "mark"]
+    if words and words[0].word in _SEWN:
+        return False  # "3. Sew the first spike to the head, 2 sc from the eyes"
     known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
     ringed = any(
         {a.value, b.kind} == {"ring", "number"} or {b.value, a.kind} == {"ring", "number"} for a, b in pairwise(words)
     )
+    if assembly and not ringed and not founding(tokens):
+        return False
     return (ringed or any(t.kind == "stitch" for t in words)) and known * 3 >= len(words) * 2

@@ -234,9 +234,11 @@ class Printed(Headed):
         while at < len(self.rows) and (more := goes_on(self, tokens, at)) is not None:
             tokens += [*stop_between(self, tokens, at), *more]
             at += 1
-        if not found[0][1].strong and not rounds(tokens[found[0][1].end :]):
+        if not found[0][1].strong and not rounds(tokens[found[0][1].end :], self.mode == "assembly"):
             text_line(self, row, tokens)
             return at
+        if not found[0][1].strong:
+            self.mode = ""  # a bow that is made among the steps: "1. 6 sc in ring"
         ended = 0
         for k, (begin, head) in enumerate(found):
             name = tokens[ended:begin]

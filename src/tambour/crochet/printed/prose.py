@@ -34,6 +34,7 @@ from tambour.crochet.printed.sentences import sentences
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unread import left_over
+from tambour.crochet.printed.wrapping import step
 from tambour.crochet.words.special import explained
 from tambour.crochet.words.table import TERMS
 
@@ -54,6 +55,13 @@ _COLOURING: Final = re.compile(
     re.IGNORECASE | re.MULTILINE,
 )
 """A list of yarns for another toy than the first: "Version 2: White as Color 1, Grey as Color 2"."""
+_TOGETHER: Final = re.compile(
+    r"[\W\d_]*(?:(?:let['’]?s|how|to|time|now|it['’]?s|the|all|and|for|of|step|steps|final|last|toy) ){0,4}(?:assembl\w*|(?:sew|put|join|piec|attach|stitch)\w* (?:[\w'’]+ ){0,3}?(?:together|up|pieces|parts|everything)|(?:mak|finish)(?:e|ing|ish)? "
+    r"up|finish\w*(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last|finishing) (?:steps?|touches|details|assembly)|construction|to finish)"
+    r"(?: (?:the|your|my|this|it|all|him|her|instructions?|steps?|time|guide|[\w'’]+)){0,3}[\W_]*",
+    re.IGNORECASE,
+)
+"""A line that heads the steps by which parts become a toy: "Let's put him together!", "How to assemble your bear"."""
 _NEAR: Final = 40  # characters between a heading and another under it
 _PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
 _JOININGS: Final = frozenset(("joining", "join", "assembling"))
@@ -67,6 +75,12 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
         return
     text = p.source.text.text
+    if p.mode == "assembly" and (labelled := step(text, row)):
+        p.passed.append(Span(row.tokens[0].start, labelled))
+        raw = [t for t in row.tokens if t.start >= labelled]
+        row, tokens = replace(row, tokens=raw), [t for t in tokens if t.start >= labelled]
+        if not raw or not tokens:
+            return
     tokens, hues = hued(p, tokens)
     if hues:
         p.hued[row.tokens[0].start] = hues
@@ -134,9 +148,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     names = [t for t in tokens if t.kind != "mark"]
     listed = first.value != "eyes" or (p.mode in ("materials", "abbreviations") and not founds(p))
     tipped = MODES.get(str(first.value)) == "notes" and any(kind_of(one(t.word)) for t in names[1:])  # "Tip of Nose"
-    if len(names) <= 3 and first.kind == "key" and first.value in MODES and listed and not tipped:
-        p.mode = MODES[first.value]
-        p.below = BELOW.get(first.value, "")
+    steps = bool(p.parts) and _TOGETHER.fullmatch(line) is not None
+    if steps or (len(names) <= 3 and first.kind == "key" and first.value in MODES and listed and not tipped):
+        p.mode = "assembly" if steps else MODES[str(first.value)]
+        p.below = BELOW.get(str(first.value), "")
         p.heading = None
         p.passed.append(whole)
         return

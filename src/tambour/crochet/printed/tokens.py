@@ -137,8 +137,8 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
     at = 0
     while at < len(tokens) and tokens[at].kind == "mark" and (tokens[at].word in _LEADING or _sign(tokens[at].word)):
         word = tokens[at].word
-        if word == "#":
-            marked = 2
+        if word == "#" and not (at + 1 < len(tokens) and tokens[at + 1].glued and tokens[at + 1].kind == "number"):
+            marked = 2  # "#1 Sew the head on" is a step
         if word in ("*", "-", "+") and not _bullet(tokens, at):
             break
         at += 1

@@ -26,8 +26,10 @@ def _words(code: str, key: str, before: str = "", after: str = r"\b") -> re.Patt
 def shows(words: str, code: str, sewn: bool = False) -> bool:
     """Whether a sentence has hands do what one sees: sew something on, knot hair, tie a bow, fold a rim. sewn : it was heard as one that puts
     parts together."""
+    if ALL.search(words.lower()):
+        return False
     if sewn:
-        return not _words(code, "hides", r"\b").search(words) and not ALL.search(words.lower())
+        return not _words(code, "hides", r"\b").search(words)
     leads = "|".join(map(re.escape, TERMS[code].heard.said.get("leads", ()))) or "(?!)"
     begins = rf"^\W*(?:(?:{leads})\W+)*" if TERMS[code].heard.said.get("verbs") != ("last",) else r"\b"
     does, hides = _words(code, "shows", begins), _words(code, "hides", r"\b")

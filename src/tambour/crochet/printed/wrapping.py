@@ -25,6 +25,12 @@ _COUNTED: Final = re.compile(r"\d[ \t]+(?:sts?|stitches|sc|dc|m|maschen|mailles|
 _LESS: Final = 0.8  # where a small letter goes on with what no mark ended
 _POINT: Final = re.compile(r"[ \t]*(?:[•▪●■○✓☐◦]|[A-Za-z][\w ]{0,20} = )")
 _NUMBERED: Final = re.compile(r"[ \t]*\d{1,2}[.)][ \t]+[A-Z]")
+_STEP: Final = re.compile(
+    r"(?:(?:step|stage|part)[ \t]*#?(\d{1,2})[ \t]*[.:)–—-]*|[(\[][ \t]*(\d{1,2})[ \t]*[)\]][ \t]*[.:–—-]?|#(\d{1,2})[ \t]*[.:)–—-]?|(\d{1,2})[ \t]*[.:)–—-])[ \t]*"
+    r"(?=[^\W\d_]{2}|$)",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""What numbers a step: "Step 2:", "(3)", "#4", "2." on a line of its own."""
 _LABEL: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}(?:\([^()]{0,20}\)[ ]?)?:")
 _TITLE: Final = re.compile(r"[A-Z][^.:,;()]{1,40}(?:\([^()]{2,40}\)[ ]?){1,2}[.:]?$")  # "Wings (make 2)"
 _COPIES: Final = re.compile(r"[A-Za-z][\w /&-]{1,40}\((?:make|work) [^()]{1,20}\)")
@@ -65,6 +71,9 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
         )
         first = text[row.start : row.end].split(None, 1)[0]
         room = (_ROOM if not sure else _LESS) * width
+        if _follows(text, made[-1], row):
+            made.append(row)
+            continue
         if not broken or lengths[at - 1] + 1 + len(first) <= room or _begins(text, above, row, not cut[at - 1], begins):
             made.append(row)
             continue
@@ -73,6 +82,23 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
         made[-1] = Row([*last.tokens, *more], last.start, row.end, last.marked)
     return made
+
+
+def step(text: str, row: Row) -> int:
+    """Where the number of a step ends that a line begins with: "Step 2:", "(3)"; 0 where none does."""
+    found = _numbered(text, row)
+    return found.end() if found is not None else 0
+
+
+def _numbered(text: str, row: Row) -> re.Match[str] | None:
+    line = text[row.start : row.end]
+    return _STEP.match(text, row.start + len(line) - len(line.lstrip()))
+
+
+def _follows(text: str, above: Row, row: Row) -> bool:
+    """Whether the number of a line's step is the next after that of the line above."""
+    one, two = (_numbered(text, r) for r in (above, row))
+    return one is not None and two is not None and int(one[one.lastindex or 0]) + 1 == int(two[two.lastindex or 0])
 
 
 def small(text: str, rows: list[Row]) -> bool:
