@@ -66,7 +66,8 @@ class Palette:
         if len(fits) != 1:
             return None
         ((hue, name),) = fits.items()
-        self.meant.setdefault(words, name)
+        if shade(words) != hue:  # "sage" is no other colour than "Sage Green"
+            self.meant.setdefault(words, name)
         return hue
 
     def listed(self, line: str, begin: int = 0) -> None:

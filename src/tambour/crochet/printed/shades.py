@@ -197,6 +197,77 @@ YARNS: Final[dict[str, RGB]] = {
     "walnut": (104, 76, 56),
     "wine red": (116, 28, 48),
     "yellow": (244, 208, 72),
+    "cornflower blue": (110, 142, 206),
+    "khaki": (166, 154, 108),
+    "midnight blue": (32, 40, 78),
+    "powder blue": (176, 204, 226),
+    "slate blue": (96, 114, 146),
+    "amber": (206, 138, 44),
+    "army green": (92, 98, 62),
+    "ash": (178, 178, 174),
+    "airforce blue": (92, 122, 156),
+    "ballet pink": (244, 212, 214),
+    "biscuit": (214, 182, 140),
+    "bubblegum": (244, 150, 186),
+    "butter": (248, 228, 158),
+    "buttercup": (248, 214, 96),
+    "buttermilk": (250, 238, 196),
+    "candyfloss": (246, 178, 204),
+    "cinnamon": (168, 94, 56),
+    "clay": (182, 114, 86),
+    "cobalt": (38, 70, 150),
+    "cocoa": (112, 76, 58),
+    "cornflower": (110, 142, 206),
+    "cranberry": (152, 30, 56),
+    "duck egg": (184, 214, 208),
+    "duck egg blue": (180, 212, 212),
+    "dusty blue": (132, 156, 180),
+    "dusty rose": (202, 150, 152),
+    "eggplant": (74, 40, 66),
+    "espresso": (66, 46, 38),
+    "eucalyptus": (150, 176, 160),
+    "fig": (92, 58, 78),
+    "fog": (204, 208, 210),
+    "french blue": (70, 106, 160),
+    "garnet": (122, 28, 46),
+    "glacier": (200, 220, 228),
+    "grape": (104, 62, 128),
+    "heather": (168, 146, 178),
+    "ink": (40, 50, 78),
+    "ivy": (58, 98, 66),
+    "lagoon": (44, 142, 156),
+    "latte": (196, 166, 134),
+    "marigold": (240, 168, 44),
+    "midnight": (28, 34, 62),
+    "mist": (206, 216, 220),
+    "mulberry": (122, 42, 84),
+    "mushroom": (184, 168, 150),
+    "navy blue": (34, 44, 84),
+    "nutmeg": (140, 90, 58),
+    "oxblood": (92, 24, 32),
+    "parchment": (238, 226, 200),
+    "peacock": (18, 106, 122),
+    "pear": (196, 204, 110),
+    "pebble": (182, 176, 166),
+    "petal": (246, 204, 208),
+    "pine": (40, 88, 62),
+    "rosewood": (150, 84, 84),
+    "ruby": (164, 24, 56),
+    "saffron": (240, 178, 58),
+    "scarlet": (204, 34, 36),
+    "shell pink": (248, 220, 212),
+    "smoke": (156, 160, 166),
+    "snow": (250, 250, 250),
+    "spruce": (48, 96, 86),
+    "stone": (184, 176, 162),
+    "storm": (104, 112, 122),
+    "stormy grey": (116, 122, 130),
+    "sunshine": (250, 214, 80),
+    "tea rose": (232, 170, 164),
+    "tomato red": (206, 52, 40),
+    "vanilla": (246, 234, 204),
+    "watermelon": (236, 90, 104),
+    "wisteria": (172, 158, 210),
 }
 """Names of yarn → sRGB, by eye from shade cards."""
 
@@ -204,83 +275,46 @@ _DYED: Final[dict[str, RGB]] = {
     "adobe": (190, 104, 82), "aruba": (64, 178, 184), "atom": (206, 40, 44), "blackbird": (40, 40, 46),
     "blueberry": (70, 88, 148), "bluie": (96, 150, 206), "cafe": (180, 144, 108), "cloud": (236, 238, 242),
     "cotton": (250, 236, 236), "cub": (150, 106, 70), "dolphin": (138, 150, 164), "driftwood": (202, 186, 164),
-    "elephant": (146, 148, 152), "fog": (200, 204, 208), "fox": (206, 104, 48), "frosty": (206, 226, 230),
-    "glowworm": (190, 210, 84), "golden": (232, 184, 70), "lagoon": (44, 142, 156), "lamb": (244, 236, 220),
-    "landshark": (120, 130, 142), "leafy": (98, 146, 74), "lily": (246, 240, 226), "mist": (206, 216, 220),
+    "elephant": (146, 148, 152), "fox": (206, 104, 48), "frosty": (206, 226, 230),
+    "glowworm": (190, 210, 84), "golden": (232, 184, 70), "lamb": (244, 236, 220),
+    "landshark": (120, 130, 142), "leafy": (98, 146, 74), "lily": (246, 240, 226),
     "misty": (196, 202, 206), "mossy": (112, 120, 70), "mouse": (150, 148, 146), "overcast": (152, 160, 168),
-    "polar": (242, 245, 246), "potpourri": (214, 150, 164), "saffron": (240, 178, 58), "shrimp": (244, 152, 124),
-    "sky": (150, 196, 232), "snow": (250, 250, 250), "stone": (172, 166, 154), "storm": (104, 112, 122),
-    "sunshine": (250, 216, 92), "sunsoaked": (240, 212, 130), "teddy": (156, 110, 70), "terracotta": (196, 108, 82),
-    "tickle": (150, 210, 196), "vanilla": (246, 234, 204), "velveteal": (20, 108, 118), "whitey": (250, 249, 245),
+    "polar": (242, 245, 246), "potpourri": (214, 150, 164), "shrimp": (244, 152, 124),
+
+    "sunsoaked": (240, 212, 130), "teddy": (156, 110, 70),
+    "tickle": (150, 210, 196), "velveteal": (20, 108, 118), "whitey": (250, 249, 245),
     "wood": (150, 112, 76), "llama": (232, 214, 184), "monkey": (124, 84, 56), "cactus": (92, 150, 84), "koala": (150, 150, 156),
-    "owl": (150, 116, 84), "robot": (160, 166, 172), "dragon": (92, 160, 110), "unicorn": (248, 246, 240), "pine": (40, 88, 62),
+    "owl": (150, 116, 84), "robot": (160, 166, 172), "dragon": (92, 160, 110), "unicorn": (248, 246, 240),
     "sprout": (150, 190, 90), "peachie": (250, 190, 160), "sunny": (250, 216, 92), "shell": (246, 226, 206), "sushi": (250, 249, 245),
-    "grape": (104, 62, 128), "bubblegum": (244, 150, 186), "robin": (140, 206, 206), "ficus": (76, 120, 76), "ladybug": (200, 40, 44),
+    "robin": (140, 206, 206), "ficus": (76, 120, 76), "ladybug": (200, 40, 44),
     "aquatic": (62, 140, 160), "melon": (246, 150, 120), "jam": (140, 40, 70),
-    "dogwood": (222, 150, 160), "capri": (70, 176, 190), "latte": (176, 140, 108), "daisy": (244, 206, 70), "buttercup": (248, 220, 110),
+    "dogwood": (222, 150, 160), "capri": (70, 176, 190), "daisy": (244, 206, 70),
 }  # fmt: skip
 """Words of shade cards that name no colour elsewhere."""
 _PALE: Final = frozenset(("mist", "misty", "frosty", "faded", "quiet", "dust", "whisper"))
 
 _THINGS: Final = frozenset(
-    [
-        "amethyst",
-        "aran",
-        "avocado",
-        "berry",
-        "bluebell",
-        "blush",
-        "bone",
-        "brick",
-        "buff",
-        "carrot",
-        "cherry",
-        "clementine",
-        "coal",
-        "coffee",
-        "cornmeal",
-        "daffodil",
-        "eggshell",
-        "emerald",
-        "flamingo",
-        "fawn",
-        "grass",
-        "honey",
-        "iris",
-        "jade",
-        "leaf",
-        "lemon",
-        "lettuce",
-        "linen",
-        "maize",
-        "mocha",
-        "moss",
-        "oatmeal",
-        "pewter",
-        "pistachio",
-        "platinum",
-        "pumpkin",
-        "raspberry",
-        "sand",
-        "sky",
-        "slate",
-        "straw",
-        "strawberry",
-        "sunflower",
-        "taffy",
-        "tangerine",
-        "thyme",
-        "toffee",
-    ]
-)  # colours in a list of yarns; in other sentences the things themselves
+    (
+        "amber amethyst aran ash avocado berry biscuit bluebell blush bone brick buff butter buttercup buttermilk candyfloss "
+        "carrot cherry cinnamon clay clementine coal cocoa coffee cornmeal cranberry daffodil duck eggshell emerald eucalyptus "
+        "fawn fig flamingo fog garnet glacier grape grass heather honey ink iris ivy jade lagoon latte leaf lemon lettuce linen "
+        "maize marigold midnight mist mocha moss mulberry mushroom nutmeg oatmeal parchment peacock pear pebble petal pewter "
+        "pine pistachio platinum pumpkin raspberry rosewood ruby saffron sand shell sky slate smoke spruce stone storm straw "
+        "strawberry sunflower sunshine taffy tangerine thyme toffee vanilla watermelon wisteria"
+    ).split()
+)
+"""Colours in a list of yarns; in other sentences the things themselves."""
 
 _LIGHTER: Final = {"light": 0.4, "lt": 0.4, "pale": 0.5, "soft": 0.35, "baby": 0.5, "pastel": 0.5}
-_DARKER: Final = {"dark": 0.35, "dk": 0.35, "deep": 0.3, "bright": 0.0, "hot": 0.0, "medium": 0.0, "med": 0.0, "country": 0.1,
+_DARKER: Final = {"dark": 0.35, "dk": 0.35, "deep": 0.3, "bright": 0.0, "hot": 0.0, "medium": 0.0, "med": 0.0, "mid": 0.0, "country": 0.1,
                   "warm": 0.0, "golden": 0.0, "real": 0.0, "heather": 0.0, "weathered": 0.15, "dusky": 0.1, "vivid": 0.0, "classic": 0.0, "true": 0.0}  # fmt: skip
 
 _MUTED: Final = frozenset(("dusty", "antique", "vintage", "muted", "smoky"))
+_DUST: Final = 205.0  # how light the dust on a colour is
 _SAID: Final = frozenset((*_LIGHTER, *_DARKER, *_MUTED))
 """Words before a colour that make another of it."""
+_PLAIN_HUES: Final = frozenset("red orange yellow green blue purple pink brown grey gray white black violet".split())
+"""Words that only say what kind of colour the one before them is: "sage green", "mustard yellow"."""
 
 # "Contrast A Pewter (1401)", "Main Color (MC) Teal", "Contrast A: (01612 Country Yellow)"; "0512 Turqua A, 0672 Spring Green B"
 _NAME: Final = r"((?:[A-Z][A-Za-zé’'&]*[ -]?){1,4}?|[A-Z][a-z]+ [a-z]+)"
@@ -406,6 +440,8 @@ def shade(name: str) -> RGB | None:
     mixed = len(words) > 1 and words[0] in _SAID and shade(" ".join(words[1:])) is not None
     if not mixed and whole.replace(" ", "") in css_colors():
         return css_colors()[whole.replace(" ", "")]
+    if len(words) > 1 and words[0] not in _SAID | _PLAIN_HUES and words[-1] in _PLAIN_HUES:
+        return shade(" ".join(words[:-1]))
     if len(words) < 2 or words[0] not in _SAID:
         return None
     base = shade(" ".join(words[1:]))
@@ -413,7 +449,7 @@ def shade(name: str) -> RGB | None:
         return None
     if words[0] in _MUTED:
         gray = sum(base) / 3
-        red, green, blue = (round(0.65 * c + 0.35 * gray) for c in base)
+        red, green, blue = (round(0.7 * (0.6 * c + 0.4 * gray) + 0.3 * _DUST) for c in base)
         return red, green, blue
     white, black = _LIGHTER.get(words[0], 0.0), _DARKER.get(words[0], 0.0)
     red, green, blue = (round((c + (255 - c) * white) * (1 - black)) for c in base)
