@@ -15,6 +15,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.clasped import clasped
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -107,6 +108,10 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
                 continue
             found.append(Held(part, rank, at, leads))
             dropped.append((at.start, at.end))
+    lost = [t for t in tokens if t.kind == "word" and not any(a <= t.start < b for a, b in dropped)]
+    if (not found or lost) and (told := clasped(tokens, text, nouns)) is not None:
+        held = [Held(part, rank, at, leads) for noun, rank, at, leads in told[1] if (part := _meant(parts, noun, rank))]
+        return told[0], held
     if any(h.before for h in found):
         for m in re.finditer(_BOTH, low, re.IGNORECASE):
             dropped.append((span.start + m.start(), span.start + m.end()))
