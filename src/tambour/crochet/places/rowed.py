@@ -21,6 +21,8 @@ _INSECT: Final = re.compile(
 )
 _SET: Final = frozenset(("bow", "spot", "door", "lamp"))
 """Small things of which each has a round of its own where two rounds are said."""
+_RIDGES: Final = frozenset(("spike", "fin", "spot", "bow"))
+"""What runs down a tail in a row."""
 _APART: Final = re.compile(rf"({QUANTITY}) (?:rounds?|rnds?|rows?) (?:apart|between)")
 _LEANS: Final = 0.5
 """What leans more than this, as a cosine, lies."""
@@ -58,12 +60,22 @@ def in_rows(put: Put, host: Host, lies: bool, text: str) -> tuple[Put, list[Way]
         turns = [math.radians(a) for a in angles]
         put = replace(put, where=replace(at, each=(), stacked=True))
         return put, [Way((0.0, math.sin(t), math.cos(t)), None, (0.0, -math.cos(t), math.sin(t)), True) for t in turns]
+    if put.kind in _RIDGES and many > 1 and at.rounds is None and put.host is not None and put.host[0].kind == "tail":
+        span = host.high - host.low  # down a tail: from where it is sewn on to its tip, along the top of it
+        each = tuple(float(round(n)) for n in np.linspace(host.high - 0.15 * span, host.low + 0.25 * span, many))
+        way = Way((0.0, 1.0, 0.0), None, _along(host), True)
+        return replace(put, where=replace(at, rounds=(each[0], each[0], False), each=each, stacked=True)), [way] * many
     legs = put.kind in ("leg", "foot", "fin", "arm") and many >= _LEGGED and many % 2 == 0
     insect = "sides" in at.words or lies or _INSECT.search(text[:200]) is not None
     if legs and (insect or 2 * len(each) == many):
         put = replace(put, where=replace(at, each=each, rounds=at.rounds if 2 * len(each) == many else None))
         return put, _pairs(many, lies)
     return None
+
+
+def _along(host: Host) -> tuple[float, float, float]:
+    x, y, z = (float(a) for a in host.axis)
+    return x, y, z
 
 
 def _pairs(many: int, lies: bool) -> list[Way]:
