@@ -44,8 +44,11 @@ HOOKS: Final = {
 
 _NUMBER = r"(\d+(?:[.,]\d+)?)"
 _UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ins": 25.4, "inch": 25.4, "inches": 25.4,
+          **dict.fromkeys(("centimeter", "centimeters", "centimetre", "centimetres"), 10.0),
           '"': 25.4, "″": 25.4, "”": 25.4}  # fmt: skip
-_LENGTH = re.compile(_NUMBER + r"\s*-?\s*(mm|cm|m|inches|inch|ins|in|\"|″|”)(?![a-z])", re.IGNORECASE)
+_LENGTH = re.compile(
+    _NUMBER + r"\s*-?\s*(mm|cm|m|inches|inch|ins|in|centimet(?:er|re)s?|\"|″|”)(?![a-z])", re.IGNORECASE
+)
 _SWATCH = re.compile(
     _NUMBER + r"\s*(?:sc|dc|sts?|stitches|m|p|v)?\b[^\d]{0,40}?(?:[x×*]|and|by|,|&|und|y|et|en)\s*" + _NUMBER
     + r"\s*(?:rows?|rounds?|rnds?|r\b)?", re.IGNORECASE,
@@ -53,7 +56,8 @@ _SWATCH = re.compile(
 _STITCHES = re.compile(
     _NUMBER + r"\s*(?:sc|hdc|dc|sts?|stitches|single crochets?)\b(?!\s*(?:rows?|rounds?|rnds?)\b)", re.IGNORECASE
 )
-_ROWS = re.compile(_NUMBER + r"(\s*½)?\s*(?:(?:sc|hdc|dc)\s+)?(?:rows?|rounds?|rnds?)\b", re.IGNORECASE)
+_ROWS = re.compile(_NUMBER + r"(\s*½)?\s*(?:(?:sc|hdc|dc)\s+)?(?:rows?|rounds?|rnds?|r)\b", re.IGNORECASE)
+_AN_INCH = re.compile(r"\b(?:an|one|per|each|every) inch\b", re.IGNORECASE)
 _CIRCLE = re.compile(r"\b(?:circle|diameter|across|first)\b|\b(?:rounds?|rnds?)\s*\d", re.IGNORECASE)
 _TALL: Final = 1.3  # height over width that no single crochet has: rows of taller stitches
 _RAVELLED = re.compile(r"\s*(\d+)\s*[^\d]*?" + _NUMBER + r"\s*(mm|cm|m|inches|inch|in|\")\s*$", re.IGNORECASE)
@@ -160,6 +164,7 @@ def ball_of(words: str) -> Ball | None:
 def swatch_of(words: str) -> tuple[float, float] | None:
     """Width and height, mm, that a stated gauge gives: ``20 sc x 22 rows = 10 cm``, ``26 sts = 4"; 22 rounds = 4"``,
     ``first 5 rounds = 5 cm across``; None where it is not understood. Rounds are of a circle only where that is said."""
+    words = _AN_INCH.sub("1 inch", words)
     found = [(m.start(), _float(m[1]) * _UNITS[m[2].lower()]) for m in _LENGTH.finditer(words)]
     lengths = [length for _, length in found]
     if not lengths:
@@ -191,6 +196,32 @@ def swatch_of(words: str) -> tuple[float, float] | None:
     if width:
         return width, width * SQUARE
     return (height / SQUARE, height) if height else None
+
+
+_SWATCHES: Final = (25.4, 50.8, 101.6, 25.0, 50.0, 100.0, 152.4, 150.0)
+"""Lengths, mm, over which people count their stitches."""
+_PLAUSIBLE: Final = (1.5, 25.0)  # mm of a stitch
+
+
+def tells_gauge(words: str) -> bool:
+    """Whether a sentence tells a gauge, in whatever words: so many stitches, and rows, in a length that swatches have, or so many rounds
+    across: "I get 5 stitches and 5.5 rows to an inch", "10 cm are 18 stitches", "Rounds 1-5 of the head measure 5 cm in diameter"."""
+    words = _AN_INCH.sub("1 inch", words)
+    size = swatch_of(words)
+    if size is None or _NO_GAUGE.search(words):
+        return False
+    lengths = [_float(m[1]) * _UNITS[m[2].lower()] for m in _LENGTH.finditer(words)]
+    counted = _STITCHES.search(words) is not None
+    said = re.search(r"\b(?:gauge|tension|swatch)\b", words, re.IGNORECASE) is not None
+    across = _ACROSS.search(words) is not None and re.search(r"\b(?:rounds?|rnds?)\b", words, re.IGNORECASE) is not None
+    square = counted and any(abs(n - one) < 0.6 for n in lengths for one in _SWATCHES)
+    return (square or across or (said and counted)) and all(_PLAUSIBLE[0] <= n <= _PLAUSIBLE[1] for n in size)
+
+
+_NO_GAUGE: Final = re.compile(
+    r"\b(?:tail|end|leav\w*|apart|long|length|yarn for|ring|ch|chain|inc|dec)\b", re.IGNORECASE
+)
+_ACROSS: Final = re.compile(r"\b(?:across|diameter|wide|circle)\b", re.IGNORECASE)
 
 
 def ravelled(words: str) -> float:

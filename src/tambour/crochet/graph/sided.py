@@ -1,5 +1,5 @@
 """Sided: a body stands so that a pair of parts that are crocheted into one of its rounds hangs at its sides, and a tall one
-on an oval has a wide side ahead.
+on an oval has a wide side ahead; a tail that is crocheted in hangs at its back.
 
 Where a round begins, words do not say, and in the hand it wanders: what is counted from there is right as the pair is left and right.
 """
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 _OVAL, _TALL = 1.25, 0.65
 """A body that is so many times as deep as wide, and not much lower than deep, is a pillow that stands: its face is on a wide side."""
 _TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)(?![^\W\d_])")
+TAILS = frozenset(("tail", "schwanz", "queue", "cola", "staart"))
+"""What hangs at the back, by the last word of its name."""
 LEAST, MOST = 0.25, 0.75
 """A limb has such a share of a round that is shared out between two."""
 
@@ -56,7 +58,17 @@ def sided(spots: Spots, x: Array) -> Array:
             continue
         angle = math.atan2(way[2], way[0])
         angle -= math.pi * round(angle / math.pi)  # the nearer of both ways round: left and right are told by nothing
+        tail = _tail(spots, x, name)
+        if tail is not None and math.cos(angle) * tail[1] - math.sin(angle) * tail[0] > 0.0:
+            angle += math.pi  # but by a tail
         x = _turned(spots, x, part, k, angle)
+    for record in (r for own in pairs.values() for r in own):
+        name = record.spot.part
+        k, tail = spots.round_at(spots.parts[name], int(record.spot.round)), _tail(spots, x, name)
+        if spots.parts[name] in done or tail is None or k is None:
+            continue
+        done.add(spots.parts[name])
+        x = _turned(spots, x, spots.parts[name], k, math.atan2(tail[1], tail[0]) + 0.5 * math.pi)
     return x
 
 
@@ -72,6 +84,21 @@ def _pillows(spots: Spots, x: Array) -> list[int]:
             if deep > _OVAL * wide and high > _TALL * deep:
                 found.append(part)
     return found
+
+
+def _tail(spots: Spots, x: Array, name: str) -> tuple[float, float] | None:
+    """Which way a tail looks that is crocheted into a part, across and ahead; None where none is."""
+    for record in spots.built.pattern.finish:
+        if not isinstance(record, Placed) or not record.through or record.spot.part != name:
+            continue
+        k = spots.round_at(spots.parts[name], int(record.spot.round))
+        if k is None or record.spot.stitch is None or record.part.lower().split(".")[0].split()[-1] not in TAILS:
+            continue
+        nodes = spots.stitches(k)
+        way = x[nodes[round(record.spot.stitch - 1.0) % len(nodes)]] - x[nodes].mean(0)
+        if math.hypot(way[0], way[2]) >= 0.5:
+            return float(way[0]), float(way[2])
+    return None
 
 
 def _limbs(spots: Spots) -> list[tuple[int, int, Array]]:

@@ -10,12 +10,14 @@ from tambour.core.errors import Span
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.table import TERMS
-from tambour.crochet.yarns import class_of, hook_of
+from tambour.crochet.yarns import class_of, hook_of, tells_gauge
 
 FIBRES: Final = ("cotton", "acrylic", "chenille", "mohair", "wool")
 """What yarn may be of, as :attr:`CrochetParams.material` calls it, and the table of words says it."""
 
 _CLAUSE: Final = re.compile(r"(?:[^.!?|;•,\n]|[.!?](?!\s+[A-Z])|,(?!\s))+")
+_SENTENCE: Final = re.compile(r"\S(?:[^.!?\n]|[.](?=\d)|[.](?=[xX ]*[a-z]))*")
+"""A sentence of a line, with the points of its numbers."""
 _LENGTH: Final = re.compile(r"(?<![\d.,])\d+(?:[.,]\d+)?\s*(?:cm\b|inch(?:es)?\b|ins?\b|\"|″|”)", re.IGNORECASE)
 _OTHER: Final = ("hook", "round", "row", "stitch", "eyes", "yarn", "gauge", "leave", "ring", "stuff", "foundation")
 """What a length is of that is no size of the toy."""
@@ -31,6 +33,10 @@ def prefaced(p: State, row: Row, tokens: list[Token]) -> None:
     fibre = _fibre(p.language.code, line)
     if fibre is not None and (_whole(line) or class_of(line) or any(t.value == "yarn" for t in tokens)):
         p.hinted.setdefault("fibre", (fibre, Span(begin, begin + len(line))))
+    for told in _SENTENCE.finditer(line):
+        if tells_gauge(told[0]):
+            span = Span(begin + told.start(), begin + told.end())
+            p.hinted.setdefault("gauge", (" ".join(told[0].split()), span))
     if p.mode == "materials":
         return
     sized: list[Span] = []

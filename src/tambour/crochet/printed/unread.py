@@ -90,6 +90,9 @@ def otherwise(p: State, tokens: list[Token]) -> bool:
 
 def left_over(p: State, tokens: list[Token]) -> None:
     """A sentence that was not read: told when it may instruct."""
+    gauge = p.hinted.get("gauge")
+    if gauge is not None and gauge[1].start <= tokens[0].start < gauge[1].end:
+        return
     if instructs(p, tokens):
         span = Span(tokens[0].start, tokens[-1].end)
         if remark(p.source.text.text, tokens):
