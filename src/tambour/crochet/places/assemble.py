@@ -46,7 +46,7 @@ _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
 _LAYERS: Final = frozenset(("ear", "wing", "fin", "leaf", "foot", "tail"))
 """Kinds of things that are made of two layers, one in another colour."""
-_ONCE: Final = frozenset(("eyes", "nose", "mouth", "smile", "cheeks", "brows", "whiskers"))
+_ONCE: Final = frozenset(("eyes", "nose", "mouth", "smile", "cheeks", "brows", "whiskers", "nostrils"))
 """Things of which a face has one, or one pair."""
 _PAIRS: Final = frozenset(("ear", "wing", "foot"))
 """Kinds of things of which a toy has two, one each side."""

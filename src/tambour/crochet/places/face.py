@@ -23,14 +23,15 @@ WORDS: Final[dict[str, str]] = {
     "freckles": r"\bfreckles?\b",
     "smile": r"\b(?:smil\w*|grin)\b",
     "mouth": r"\b(?:mouth|lips?|line|muzzle line)\b",
-    "nose": r"\b(?:nose|nostrils?|snout)\b",
+    "nostrils": r"\bnostrils?\b",
+    "nose": r"\b(?:nose|snout)\b",
     "claws": r"\b(?:claws?|toes|paw details?|fingers)\b",
     "navel": r"\b(?:navel|belly ?button)\b",
     "eyes": r"\beye(?:s|lids?)?\b",
     "dots": r"\b(?:dots?|spots?|french knots?|seeds?)\b",
 }
 """What is embroidered → how it is called; the first that fits is meant."""
-PAIRED: Final = frozenset(("whiskers", "lashes", "brows", "cheeks", "freckles", "eyes", "closed eyes"))
+PAIRED: Final = frozenset(("whiskers", "lashes", "brows", "cheeks", "freckles", "eyes", "closed eyes", "nostrils"))
 PINK: Final[RGB] = (232, 150, 160)
 DARK: Final[RGB] = (40, 30, 26)
 _SEEN: Final = {name: re.compile(words) for name, words in WORDS.items()}
@@ -108,6 +109,8 @@ def strokes(name: str, wide: float) -> list[Stroke]:
         return [[(-0.4 * w, 0.0)], [(0.4 * w, 0.1 * w)], [(0.0, -0.35 * w)]]
     if name == "claws":
         return [[(0.32 * w * k, 0.3 * w), (0.34 * w * k, -0.3 * w)] for k in (-1, 0, 1)]
+    if name == "nostrils":
+        return [[(0.0, -0.5 * w), (0.0, 0.5 * w)]]
     if name == "navel":
         return [[(-0.3, -0.3), (0.3, 0.3)], [(-0.3, 0.3), (0.3, -0.3)]]
     if name == "dots":
@@ -149,10 +152,11 @@ USUAL: Final[dict[str, float]] = {
     "closed eyes": 3.0,
     "claws": 2.4,
     "navel": 1.0,
+    "nostrils": 0.7,
     "dots": 1.0,
 }
 """How many stitches wide a motif is, unless it is said."""
-_THICK: Final = {"nose": 2.2, "eyes": 2.0, "cheeks": 2.0, "whiskers": 1.2, "lashes": 1.2, "freckles": 1.4}
+_THICK: Final = {"nose": 2.2, "eyes": 2.0, "cheeks": 2.0, "whiskers": 1.2, "lashes": 1.2, "freckles": 1.4, "nostrils": 2.2}
 
 _YARN: Final = 0.24
 """How thick thread is at the least for a stitch's width: on thick yarn faces are made in thicker."""

@@ -199,10 +199,10 @@ class Facer(Putter):
             return work.host((f.host[0], max(1, f.host[1])), "" if what in ("navel", "claws") and not two else region)
         muzzle = work.of_kind("muzzle")
         if (
-            what in ("nose", "v nose", "y nose", "mouth", "smile")
+            what in ("nose", "v nose", "y nose", "mouth", "smile", "nostrils")
             and muzzle is not None
             and muzzle.name in placed
-            and f.where.rounds is None
+            and (f.where.rounds is None or (what == "nostrils" and f.where.rounds[1] <= work.host((muzzle, 1)).high))
         ):
             return work.host((muzzle, 1))
         head = work.of_kind("head")
@@ -331,6 +331,7 @@ class Facer(Putter):
             "brows": (0.44, 0.5, 0.8),
             "whiskers": (0.42, -0.2, 0.9),
             "freckles": (0.5, -0.15, 0.85),
+            "nostrils": (0.24, 0.22 if self._snouted(host) else -0.12, 0.95),
         }
         x, y, z = at.get(name, (0.46, 0.18, 0.88))
         if (
@@ -349,10 +350,15 @@ class Facer(Putter):
                 "lashes": (0.0, -0.06) if self.asleep else (0.12, 0.05),
                 "whiskers": (0.05, -0.4),
                 "freckles": (0.05, -0.34),
+                "nostrils": (0.2 - float(v[0]), -0.4),
             }
             dx, dy = shift.get(name, (0.0, 0.0))
             return Way((float(v[0]) + dx, float(v[1]) + dy, max(float(v[2]), 0.3)))
         return self._told(Way((x, y, z)), f.where, 2)
+
+    def _snouted(self, host: Host) -> bool:
+        muzzle = self.work.of_kind("muzzle")
+        return muzzle is not None and muzzle.name == host.name
 
     def _single(self, f: Feature, host: Host, name: str, wide: float) -> Array:
         """The middle of something that is there once: a nose, a mouth."""

@@ -203,6 +203,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"
         taken = sentence_read(p, tokens[: close + 1])
         return sentence_read(p, tokens[close + 1 :]) and taken
+    if p.mode == "assembly" and finishing(p, tokens):
+        return True  # "Make two French knots on the snout" are no copies of what was made last
     alone = copies_alone(tokens)
     if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
         return more_copies(p, tokens, more)
