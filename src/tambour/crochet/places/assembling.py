@@ -91,9 +91,9 @@ def assembling(text: str, names: list[str]) -> bool:
         return True
     if re.search(r"\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or TO.search(low)):
         return True
-    if re.search(r"\b(?:whiskers?|eyelash\w*|eyebrows?|freckles?|smile|cheeks|blush|mouth|nostrils?)\b", low) and DRAWN.search(
-        low
-    ):
+    if re.search(
+        r"\b(?:whiskers?|eyelash\w*|eyebrows?|freckles?|smile|cheeks|blush|mouth|nostrils?)\b", low
+    ) and DRAWN.search(low):
         return True
     if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
         return False

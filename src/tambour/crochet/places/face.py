@@ -156,7 +156,15 @@ USUAL: Final[dict[str, float]] = {
     "dots": 1.0,
 }
 """How many stitches wide a motif is, unless it is said."""
-_THICK: Final = {"nose": 2.2, "eyes": 2.0, "cheeks": 2.0, "whiskers": 1.2, "lashes": 1.2, "freckles": 1.4, "nostrils": 2.2}
+_THICK: Final = {
+    "nose": 2.2,
+    "eyes": 2.0,
+    "cheeks": 2.0,
+    "whiskers": 1.2,
+    "lashes": 1.2,
+    "freckles": 1.4,
+    "nostrils": 2.2,
+}
 
 _YARN: Final = 0.24
 """How thick thread is at the least for a stitch's width: on thick yarn faces are made in thicker."""

@@ -184,6 +184,8 @@ def gathered(items: list[Item], stitches: dict[str, Stitch], token: Token) -> li
     if {s.name for s, _ in parts} == {"sc"}:
         one = Action("mr", items[held[0]].span, numbers=(sum(n for _, n in parts), 0))
         return [*items[:begin], one, *items[end:]]
+    if any(stitch.name != "slst" and not stitch.fits_in_one for stitch, _ in parts):
+        raise NotUnderstood(token, "this does not go into one ring", "say which stitches go into the ring")
     made = into_one(parts, "ring")
     stitches.setdefault(made.name, made)
     return [*items[:begin], Action(made.name, items[held[0]].span), *items[end:]]

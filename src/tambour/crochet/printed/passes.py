@@ -6,7 +6,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from tambour.crochet.printed import corners, folded, hooks, inner, minor, postposed, shorthand, spread, underside
+from tambour.crochet.printed import (
+    corners,
+    folded,
+    hooks,
+    inner,
+    minor,
+    postposed,
+    shorthand,
+    spread,
+    sprigs,
+    underside,
+)
 from tambour.crochet.printed.tokens import Token
 
 _ORDINAL: Final = " ordinal"
@@ -53,6 +64,7 @@ _PASSES: Final = (
     _Pass(shorthand.grown, shorthand.SAYING | {_GROWN}, _all("each round", "each row")),
     _Pass(hooks.unsized, frozenset(("hook",))),
     _Pass(corners.grouped, corners.PLACES),
+    _Pass(sprigs.chained, frozenset(), tuple(frozenset(("ch", w)) for w in (*sprigs.SAYING, "ring", "hook", _ORDINAL))),
     _Pass(
         underside.plainly_put,
         underside.SIDES,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
@@ -103,6 +104,7 @@ def _long(rows: list[Row]) -> float:
     return 0.6 * width if 0 < width <= _COLUMN else _LONG
 
 
+_ENDED: Final = re.compile(r"\b(?:fasten(?:ed|ing)? off|sew|sewn|bind off)\b", re.IGNORECASE)
 _WORK: Final = 4  # words and signs behind the head of a round among which it works something
 
 
@@ -232,7 +234,10 @@ class State:
         if (
             last is not None
             and last.begun()
-            and not (first and (last.last or last.off is not None or (self.heading and last.chain is None)))
+            and not (
+                first
+                and (last.last or last.off is not None or (self.heading and last.chain is None) or self._done(last))
+            )
         ):
             if self.heading is not None and not title:
                 words = self.source.text.text[self.heading.span.start : self.heading.span.end]
@@ -282,6 +287,12 @@ class State:
             setattr(draft, key, value)
         self.early = {}
         self.parts.append(draft)
+
+    def _done(self, last: Draft) -> bool:
+        """Whether a part that is no more than a chain is done where the next heading stands: it was fastened off, or sewn on."""
+        if self.heading is None or not last.lines:
+            return False
+        return _ENDED.search(self.source.text.text, last.lines[-1].span.start, self.heading.span.start) is not None
 
     def _end(self) -> int:
         """Where the last line of the parts so far ends."""
