@@ -11,7 +11,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.tree import Worn
-from tambour.crochet.places.hear import Copy
+from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.names import SIDED, Made, kind_of
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
 
@@ -33,6 +33,7 @@ _WITHIN: Final = re.compile(
     r"(?:next |see [^\n]*\n)?(?:(?:rnd|round|row)s?\s+)?(\d+)(?:st|nd|rd|th)?\b"
 )
 """Headings within a piece, with the number of the round that follows."""
+_NAMELESS: Final = re.compile(r"(?:part|piece)(?:_\w+)?$")
 _TALL: Final = 0.6
 """A part with so many rounds to a stitch of its widest is longer than wide."""
 
@@ -193,6 +194,41 @@ def faced(built: Built, sentences: list[tuple[str, str]]) -> set[str]:
     if stars and (whole := {name for name, part in single.items() if {"head", "body"} <= set(part.kinds)}):
         found |= stars | whole  # beside an octopus that is head and body in one
     return found if len(found) > 1 else set()
+
+
+_SET: Final = re.compile(
+    r"\b(?:set|sets|collection|bundle|trio|assortment|pack|family|friends|ornaments|(?:play |toy )?food|veg(?:gies?|etables?)?|fruits?|cookies|sweets|keyrings?|keychains?|"
+    r"(?:two|three|four|five|six|seven|eight|\d+) (?:(?:little|small|mini|tiny|different|simple|easy|cute) )*[a-z]+s|patterns|toys)\b"
+)
+"""Words of a text's beginning that say it makes several things."""
+_INTRO: Final = 400  # letters of it
+
+
+def a_set(built: Built, puts: list[Put], over: dict[str, str]) -> list[list[str]]:
+    """The parts of every thing of a set (a carrot with its leaves, a tomato with its calyx), by name; all in one list where it is none.
+
+    A thing begins with a part that is called by no kind of part and that no sentence sews to another, or where another heading stands over
+    the parts' headings. Two are a set where the text's beginning says so, three or more are.
+    puts : what the sentences put where; over : what stands over a part's heading, where something does
+    """
+    parts = [Made(section.name, section.copies) for section in built.pattern.parts]
+    if any({"head", "body"} & set(part.kinds) for part in parts):
+        return [[part.name for part in parts]]
+    sewn = {c[0].name for p in puts for c in p.copies if p.host is not None}
+    before, starts = "", list[int]()
+    for k, part in enumerate(parts):
+        above = over.get(part.name, "")
+        alone = not part.kind and not part.vessel and part.name not in sewn and not _NAMELESS.match(part.name)
+        if alone or (above and above != before):
+            starts.append(k)
+        before = above or before
+    several = len(starts) > 2 or (
+        len(starts) == 2 and _SET.search(built.pattern.text.text[:_INTRO].lower()) is not None
+    )
+    if not several:
+        return [[part.name for part in parts]]
+    starts[0] = 0
+    return [[part.name for part in parts[a:b]] for a, b in zip(starts, [*starts[1:], len(parts)])]
 
 
 def toys(built: Built, faces: set[str] | frozenset[str] = frozenset()) -> list[list[str]]:

@@ -12,11 +12,12 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
-from tambour.crochet.places.hear import Sentence
+from tambour.crochet.places.hear import Heard, Sentence
 from tambour.crochet.places.names import Made
+from tambour.crochet.places.names import one as singular
 from tambour.crochet.places.said import size
 from tambour.crochet.places.terse import under, verb_of
-from tambour.crochet.places.toy import Assembled, faced, toys
+from tambour.crochet.places.toy import Assembled, a_set, faced, toys
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
@@ -111,12 +112,26 @@ def _subject(one: Said, heard: Sentence) -> str:
     return heard.exact.part.partition(".")[0] if isinstance(heard.exact, Placed) else one.part
 
 
+def _spoken_of(text: str, groups: list[list[str]], section: int) -> int:
+    """Which thing of a set a sentence is about: the one most of whose parts it names, else the one that it stands in."""
+    words = {singular(w) for w in re.findall(r"[^\W\d_]+", text.lower())}
+    named = [sum(bool(words & set(Made(name, 1).words)) for name in names) for names in groups]
+    best = max(named)
+    return section if section >= 0 and named[section] == best else named.index(best) if best else section
+
+
 def assembled(
-    built: Built, said: list[Said], phrases: Phrases, palette: Palette, usual: bool, inside: list[Placed]
+    built: Built,
+    said: list[Said],
+    phrases: Phrases,
+    palette: Palette,
+    usual: bool,
+    inside: list[Placed],
+    over: dict[str, str],
 ) -> Assembled | None:
     """What the sentences of a pattern, as worked, and its parts' names, say of its assembly; None where nothing is said.
 
-    inside : the parts that its rounds hold, as they are worked
+    inside : the parts that its rounds hold, as they are worked; over : what stands over the headings of parts, by their names
     """
     built = replace(built, pattern=replace(built.pattern, finish=tuple(inside))) if inside else built
     if not said and (not usual or len(built.pattern.parts) < 2):
@@ -145,15 +160,20 @@ def assembled(
         sentences.append(Sentence(words, span, part, hues, exact))
     made = Assembled()
     groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
+    apart = False
+    if len(groups) == 1 and len(built.pattern.parts) > 1:
+        made_ = [Made(p.name, p.copies) for p in built.pattern.parts]
+        heard_ = Heard(made_, sentences, built.pattern.text.text.lower())
+        groups = groups if heard_.everything else a_set(built, heard_.puts, over)
+        apart = len(groups) > 1
     own = {name: k for k, names in enumerate(groups) for name in names}
     said = [_standing(one, built.pattern) for one in said]
-    heard_of = [
-        [heard for one, heard in zip(said, sentences) if own.get(_subject(one, heard), k) == k]
-        for k in range(len(groups))
-    ]
+    of = [own.get(_subject(one, heard), -1) for one, heard in zip(said, sentences)]
+    of = [_spoken_of(heard.text, groups, k) if apart else k for heard, k in zip(sentences, of)]
+    heard_of = [[heard for heard, at in zip(sentences, of) if at in (k, -1)] for k in range(len(groups))]
     for k, own_names in enumerate(groups):
         mine = heard_of[k]
-        if k and (not mine or any(_LIKEWISE.search(heard.text.lower()) for heard in mine)):
+        if k and not apart and (not mine or any(_LIKEWISE.search(heard.text.lower()) for heard in mine)):
             mine = [*_likewise(heard_of[0], groups[0], own_names), *mine]
         found = _assembly(built, mine, own_names).assemble(usual)
         made.finish += found.finish

@@ -56,12 +56,17 @@ class Heading:
     marked: bool = False
 
 
+_LISTED: Final = re.compile(r"^\W*\d{1,2}\s*(?:[.):–—-]+\s*|\s)(?=[^\W\d_]{3})")
+"""The number of a heading in a list: "1. CARROT"."""
+
+
 def plain_name(words: str) -> str:
     """A part's name as tambour's own language can write it: words of plain letters, numbers joined to them."""
     words = words.replace("&", " and ").replace("+", " and ").replace(",", " and ")
     flat = unicodedata.normalize("NFKD", words.replace("ß", "ss").replace("ø", "o").replace("æ", "ae"))
     flat = "".join(c for c in flat if not unicodedata.combining(c))
     made: list[str] = []
+    flat = _LISTED.sub("", flat)
     for word in re.findall(r"[A-Za-z0-9_]+", flat):
         if word[0].isdigit():
             made = [*made[:-1], f"{made[-1]}_{word}"] if made else [f"part_{word}"]

@@ -168,6 +168,7 @@ class Printed(Headed):
             self.palette,
             usual,
             [*hang(built, self.held), *hang_on(built, self.hung), *layered(built)],
+            {draft.name: draft.over for draft in self.parts},
         )
         if found is None:
             return pattern
