@@ -149,7 +149,12 @@ def _loose(built: Built) -> Iterator[Problem]:
     stitches = np.zeros(len(parent), int)
     for k, part in enumerate(graph.parts):
         stitches[top(k)] += part.end - part.start
-    main = int(stitches.argmax())
+    section = [pattern.parts[built.parts[k].section].name for k in range(len(graph.parts))]
+    main = {int(stitches.argmax())}
+    for toy in pattern.toys:  # each of several toys stands for itself
+        own = [top(k) for k, name in enumerate(section) if name in toy]
+        main |= {max(own, key=lambda at: stitches[at])} if own else set()
+    worn = {one.part.partition(".")[0] for one in pattern.worn}
     # Clothes, and what has no name, are told together where the assembly was read.
     told = {
         n
@@ -158,7 +163,7 @@ def _loose(built: Built) -> Iterator[Problem]:
         for n in p.message.removeprefix(f"{ASIDE}: ").split(", ")
     }
     for k, part in enumerate(graph.parts):
-        if part.end > part.start and top(k) != main and pattern.parts[built.parts[k].section].name not in told:
+        if part.end > part.start and top(k) not in main and section[k] not in told | worn:
             name, at = instance(built, k), pattern.parts[built.parts[k].section].span
             yield Problem(
                 f"{name} is never sewn on", "say where it goes: on which part, between which rounds", at, pattern.text

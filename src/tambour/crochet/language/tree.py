@@ -205,7 +205,7 @@ class Pattern:
     unread : what was not understood: gaps in the tree that took their counts, and sentences; left_out : rounds of them
         that are no part of the tree
     whole : the text for all its sizes, of which ``text`` is one; None where it is for one
-    worn : the clothes that its toys wear, the innermost first
+    worn : the clothes that its toys wear, the innermost first; toys : the parts of each of several toys, by name, where it makes such
     built : the same parts worked already (:class:`tambour.crochet.graph.build.Built`), where reading them took that
     """
 
@@ -223,6 +223,7 @@ class Pattern:
     left_out: tuple[Span, ...] = ()
     whole: Text | None = None
     worn: tuple[Worn, ...] = ()
+    toys: tuple[tuple[str, ...], ...] = ()
     built: object = field(default=None, compare=False, repr=False)
 
     @property

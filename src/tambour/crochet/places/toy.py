@@ -43,7 +43,7 @@ class Assembled:
     """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place.
 
     apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills; behind : second layers of ears
-    and the like, of which nothing is seen; by their names; worn : the clothes that are put on
+    and the like, of which nothing is seen; by their names; worn : the clothes that are put on; toys : the parts of each of several
     """
 
     finish: list[Finish] = field(default_factory=list)
@@ -55,6 +55,7 @@ class Assembled:
     unstuffed: list[str] = field(default_factory=list)
     behind: list[str] = field(default_factory=list)
     worn: list[Worn] = field(default_factory=list)
+    toys: list[tuple[str, ...]] = field(default_factory=list)
 
 
 class Toy:

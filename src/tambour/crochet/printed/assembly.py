@@ -166,6 +166,7 @@ def assembled(
         heard_ = Heard(made_, sentences, built.pattern.text.text.lower())
         groups = groups if heard_.everything else a_set(built, heard_.puts, over)
         apart = len(groups) > 1
+    made.toys = [tuple(names) for names in groups] if len(groups) > 1 else []
     own = {name: k for k, names in enumerate(groups) for name in names}
     said = [_standing(one, built.pattern) for one in said]
     of = [own.get(_subject(one, heard), -1) for one, heard in zip(said, sentences)]
@@ -218,4 +219,4 @@ def with_places(pattern: Pattern, found: Assembled) -> Pattern:
         )
         for p in pattern.parts
     )
-    return replace(pattern, parts=parts, worn=tuple(found.worn))
+    return replace(pattern, parts=parts, worn=tuple(found.worn), toys=tuple(found.toys))

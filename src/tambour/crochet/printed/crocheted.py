@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Final
 
@@ -14,6 +14,7 @@ from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.language.tree import Section
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.clasped import clasped
 from tambour.crochet.printed.parts import Draft
@@ -39,13 +40,14 @@ _LIMBS: Final = frozenset(
 class Held:
     """Words that hold a part to the round that is worked: of which part, whether its first or second ("" unsaid), where they stand.
 
-    before : they stand before the stitches that go through both, else behind them
+    before : they stand before the stitches that go through both, else behind them; noun : what the part is called where it comes later
     """
 
-    part: Draft
+    part: Draft | Section | None
     rank: str
     span: Span
     before: bool
+    noun: str = ""
 
 
 @lru_cache(maxsize=64)
@@ -84,13 +86,14 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
         if not (k and t.kind == "word" and tokens[k - 1].value == "stitch" and one(t.word) in own)
     ]  # "in next st of the head", in the head's own round
     parts = [d for d in p.parts if d is not draft and d.begun() and not d.merged and _noun(d)]
-    if not parts or not any(t.kind == "stitch" for t in tokens):
-        return tokens, []
     text = p.source.text.text
     low = text[span.start : span.end]
+    later = _later(text, span, {_noun(d) for d in parts} | own)
+    if not (parts or later) or not any(t.kind == "stitch" for t in tokens):
+        return tokens, []
     found: list[Held] = []
     dropped: list[tuple[int, int]] = []
-    nouns = tuple(dict.fromkeys(map(_noun, parts)))
+    nouns = tuple(dict.fromkeys((*map(_noun, parts), *later)))
     if not any(noun in low.lower() for noun in nouns):
         return tokens, []  # most rounds: what is said of no part need not be compiled
     hosts = tuple(w for w in re.findall(r"[^\W\d_]+", draft.name.lower()) if one(w) not in nouns and len(w) > 2)
@@ -104,14 +107,13 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
             noun = next(v for k, v in groups.items() if k.startswith("noun") and v).lower()
             rank = next((v for k, v in groups.items() if k.startswith(("rank", "number")) and v), "").lower()
             part = _meant(parts, noun, rank)
-            if part is None:
+            if part is None and one(noun) not in later:
                 continue
-            found.append(Held(part, rank, at, leads))
+            found.append(Held(part, rank, at, leads, one(noun)))
             dropped.append((at.start, at.end))
     lost = [t for t in tokens if t.kind == "word" and not any(a <= t.start < b for a, b in dropped)]
     if (not found or lost) and (told := clasped(tokens, text, nouns)) is not None:
-        held = [Held(part, rank, at, leads) for noun, rank, at, leads in told[1] if (part := _meant(parts, noun, rank))]
-        return told[0], held
+        return told[0], [Held(_meant(parts, noun, rank), rank, at, leads, noun) for noun, rank, at, leads in told[1]]
     if any(h.before for h in found):
         for m in re.finditer(_BOTH, low, re.IGNORECASE):
             dropped.append((span.start + m.start(), span.start + m.end()))
@@ -121,6 +123,16 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
     if found:
         kept = [t for k in range(len(kept)) for t in (*_single(kept, k), kept[k])]
     return kept, sorted(found, key=lambda h: h.span.start)
+
+
+def _later(text: str, span: Span, known: set[str]) -> tuple[str, ...]:
+    """What a round speaks of that is headed only below it: "Arms (do these first!)"."""
+    words = {one(w) for w in re.findall(r"[^\W\d_]+", text[span.start : span.end].lower())} - known
+    nouns = [w for w in sorted(words) if kind_of(w) in _LIMBS]
+    heads = r"^[\W\d_]*(?:the |left |right |front |back |first |second )*{}(?:s|es)?\b(?![^\n]*\b(?:sew|attach|pin)\b)[^.\n]{{0,40}}$"
+    return tuple(
+        w for w in nouns if re.search(heads.format(re.escape(w)), text[span.end :], re.MULTILINE | re.IGNORECASE)
+    )
 
 
 def _single(tokens: list[Token], k: int) -> tuple[Token, ...]:
@@ -141,7 +153,7 @@ def _among(text: str, tokens: Sequence[Token], at: Span, leads: bool) -> bool:
     return any(t.kind == "stitch" for t in tokens if t.end <= at.start)
 
 
-def _noun(draft: Draft) -> str:
+def _noun(draft: Draft | Section) -> str:
     """What a part that can be crocheted in is called: its noun, singular; "" of others."""
     words = [one(w) for w in re.findall(r"[^\W\d_]+", draft.name.lower())]
     return next((w for w in reversed(words) if kind_of(w) in _LIMBS), "")
@@ -160,7 +172,11 @@ def hang(built: Built, held: Sequence[Held]) -> list[Placed]:
     through: set[int] = set()
     first = {f.section: k for k, f in reversed(list(enumerate(built.parts)))}
     names = [p.name for p in built.pattern.parts]
-    for one_ in held:
+    for said in held:
+        own = [q for q in built.pattern.parts if said.part is None and _noun(q) == said.noun]
+        one_ = replace(said, part=own[0]) if own else said
+        if one_.part is None:
+            continue
         host = next((k for k, nodes in ((k, _nodes(built, first[k], one_)) for k in first) if len(nodes)), None)
         if host is None or one_.part.name not in names:
             continue
@@ -203,7 +219,8 @@ def _nodes(built: Built, part: int, held: Held) -> np.ndarray:
 def _copy(held: Held, taken: set[int]) -> int | None:
     """Which copy of its part is meant: the one that is said, where it is free, else the next."""
     said = 1 if held.rank in (*_FIRST, "1") else 2 if held.rank in (*_SECOND, "2") else 0
-    free = [k for k in range(1, held.part.copies + 1) if k not in taken]
+    copies = held.part.copies if held.part is not None else 0
+    free = [k for k in range(1, copies + 1) if k not in taken]
     copy = said if said in free else free[0] if free else None
     taken |= {copy} if copy is not None else set()
     return copy

@@ -10,10 +10,16 @@ from tambour.core.errors import Span
 from tambour.crochet.language.finishes import UNSEEN, Finish
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assembling import ALL
+from tambour.crochet.places.names import Made
 from tambour.crochet.printed.state import State
 from tambour.crochet.words.table import TERMS
 
 _SENTENCE: Final = re.compile(r"[^.!?;]+")
+_ON: Final = re.compile(
+    r"\W*(?:(?:then|now|and)\W+)*(?:sew|stitch|attach|secure|whipstitch|fasten) (?:them|it|these|this|everything|both)(?: (?:on|down|in place|into place|securely|firmly|well|all around))*\W*",
+    re.IGNORECASE,
+)
+"""What is done with that of which the sentence before said where it goes: "Pin the ears to the head. Sew them on."."""
 _PARTED: Final = re.compile(r"\band\b|[,:]")
 
 
@@ -49,6 +55,7 @@ def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: li
     )
     notes = [note for part in pattern.parts for line in part.lines for note in line.notes]
     said = {one.span for one in p.sentences}
+    worn = {word for one in pattern.worn for word in Made(one.part, 1).words}
     kept = [span for span in (*p.passed, *notes, *said) if span.start >= first]
     told: set[int] = set()
     for span in sorted(kept, key=lambda s: s.start):
@@ -59,6 +66,8 @@ def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: li
             if (
                 begin in told
                 or any(s.start < m.end() and begin < s.end for s in known)
+                or _ON.fullmatch(m[0])
+                or (worn & set(re.findall(r"[^\W\d_]+", m[0].lower())) and span not in said)
                 or not shows(m[0], code, span in said)
             ):
                 continue
