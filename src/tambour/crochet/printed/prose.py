@@ -55,10 +55,12 @@ _COLOURING: Final = re.compile(
     re.IGNORECASE | re.MULTILINE,
 )
 """A list of yarns for another toy than the first: "Version 2: White as Color 1, Grey as Color 2"."""
+_ALL: Final = r"(?:it|them|him|her|this|everything|all|it all|(?:all )?(?:the |your )?(?:pieces|parts))"
 _TOGETHER: Final = re.compile(
-    r"[\W\d_]*(?:(?:let['’]?s|how|to|time|now|it['’]?s|the|all|and|for|of|step|steps|final|last|toy) ){0,4}(?:assembl\w*|(?:sew|put|join|piec|attach|stitch)\w* (?:[\w'’]+ ){0,3}?(?:together|up|pieces|parts|everything)|(?:mak|finish)(?:e|ing|ish)? "
-    r"up|finish\w*(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last|finishing) (?:steps?|touches|details|assembly)|construction|to finish)"
-    r"(?: (?:the|your|my|this|it|all|him|her|instructions?|steps?|time|guide|[\w'’]+)){0,3}[\W_]*",
+    r"[\W\d_]*(?:(?:let['’]?s|how|to|time|now|it['’]?s|the|and|for|of|steps?|final|last|toy) ){0,4}(?:assembl\w*|"
+    rf"(?:sewing|putting|joining|piecing|attaching|stitching) (?:[\w'’]+ ){{0,3}}?(?:together|up|pieces|parts|everything)|(?:sew|put|join|piece|stitch) {_ALL}(?: together| up)|"
+    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish)"
+    r"(?: [\w'’]+){0,3}[^\w.]*",
     re.IGNORECASE,
 )
 """A line that heads the steps by which parts become a toy: "Let's put him together!", "How to assemble your bear"."""

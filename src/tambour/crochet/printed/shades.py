@@ -232,11 +232,10 @@ YARNS: Final[dict[str, RGB]] = {
     "garnet": (122, 28, 46),
     "glacier": (200, 220, 228),
     "grape": (104, 62, 128),
-    "heather": (168, 146, 178),
     "ink": (40, 50, 78),
     "ivy": (58, 98, 66),
     "lagoon": (44, 142, 156),
-    "latte": (196, 166, 134),
+    "latte": (176, 140, 108),
     "marigold": (240, 168, 44),
     "midnight": (28, 34, 62),
     "mist": (206, 216, 220),
@@ -297,7 +296,7 @@ _THINGS: Final = frozenset(
     (
         "amber amethyst aran ash avocado berry biscuit bluebell blush bone brick buff butter buttercup buttermilk candyfloss "
         "carrot cherry cinnamon clay clementine coal cocoa coffee cornmeal cranberry daffodil duck eggshell emerald eucalyptus "
-        "fawn fig flamingo fog garnet glacier grape grass heather honey ink iris ivy jade lagoon latte leaf lemon lettuce linen "
+        "fawn fig flamingo fog garnet glacier grape grass honey ink iris ivy jade lagoon latte leaf lemon lettuce linen "
         "maize marigold midnight mist mocha moss mulberry mushroom nutmeg oatmeal parchment peacock pear pebble petal pewter "
         "pine pistachio platinum pumpkin raspberry rosewood ruby saffron sand shell sky slate smoke spruce stone storm straw "
         "strawberry sunflower sunshine taffy tangerine thyme toffee vanilla watermelon wisteria"
