@@ -17,7 +17,6 @@ from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, whole
 from tambour.crochet.language.finishes import Eye, Placed
-from tambour.crochet.places.names import Made
 from tambour.crochet.settle.arrange import clusters
 from tambour.geometry.closest import Tree, nearest, tree
 from tambour.geometry.surface import face_normals
@@ -103,6 +102,7 @@ def _floating(built: Built, fabric: dict[int, _Fabric], width: float) -> list[in
     for k in fabric:
         of.setdefault(int(toy[graph.parts[k].start]), []).append(k)
     loose = []
+    things = {name for toy in built.pattern.toys for name in toy}
     for own in of.values():
         main = max(own, key=lambda k: graph.parts[k].end - graph.parts[k].start)
         found, ahead = {main}, [main]
@@ -112,7 +112,7 @@ def _floating(built: Built, fabric: dict[int, _Fabric], width: float) -> list[in
                 if j not in found and ((k, j) in tied or (j, k) in tied or _touch(fabric[k], fabric[j], TOUCH * width)):
                     found.add(j)
                     ahead.append(j)
-        alone = len(own) == 1 < len(of) and Made(graph.parts[main].name.partition(".")[0], 1).kind != ""
+        alone = len(own) == 1 < len(of) and graph.parts[main].name.partition(".")[0] not in things
         loose += [k for k in own if k not in found or alone]  # a carrot beside a tomato is a thing for itself
     return loose
 
