@@ -186,7 +186,9 @@ def hang(built: Built, held: Sequence[Held]) -> list[Placed]:
                 continue  # "hold the first arm against the body and sc 3 through the arm and body": one arm, said twice
             through |= set(run.tolist())
             copy = _copy(one_, taken.setdefault(one_.part.name, set()))
-            k = next(k for k, r in enumerate(built.rounds) if r.first <= run[0] <= r.last)
+            k = next((k for k, r in enumerate(built.rounds) if r.first <= run[0] <= r.last), None)
+            if k is None:
+                continue  # it begins the piece, before its first round
             order = spots.stitches(k).tolist()
             if copy is None or int(run[0]) not in order or int(run[-1]) not in order:
                 continue
