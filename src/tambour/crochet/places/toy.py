@@ -12,7 +12,7 @@ from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.tree import Worn
 from tambour.crochet.places.hear import Copy, Put
-from tambour.crochet.places.names import SIDED, Made, kind_of
+from tambour.crochet.places.names import SIDED, Made, kind_of, one
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
 
 _EYES_ON: Final = re.compile(
@@ -203,30 +203,31 @@ _SET: Final = re.compile(
 )
 """Words of a text's beginning that say it makes several things."""
 _INTRO: Final = 400  # letters of it
+_THINGS: Final = (2, 3)  # so many with parts of their own, where it is said and where not
 
 
 def a_set(built: Built, puts: list[Put], over: dict[str, str]) -> list[list[str]]:
     """The parts of every thing of a set (a carrot with its leaves, a tomato with its calyx), by name; all in one list where it is none.
 
     A thing begins with a part that is called by no kind of part and that no sentence sews to another, or where another heading stands over
-    the parts' headings. Two are a set where the text's beginning says so, three or more are.
+    the parts' headings. Two that have parts of their own are a set where the text's beginning says so, three or more are.
     puts : what the sentences put where; over : what stands over a part's heading, where something does
     """
     parts = [Made(section.name, section.copies) for section in built.pattern.parts]
     if any({"head", "body"} & set(part.kinds) for part in parts):
         return [[part.name for part in parts]]
     sewn = {c[0].name for p in puts for c in p.copies if p.host is not None}
+    names = [tuple(part.words) for part in parts]
     before, starts = "", list[int]()
     for k, part in enumerate(parts):
         above = over.get(part.name, "")
-        alone = not part.kind and not part.vessel and part.name not in sewn and not _NAMELESS.match(part.name)
-        if alone or (above and above != before):
+        alone = not part.kind and not part.vessel and not part.half and part.copies == 1 and names.count(names[k]) == 1
+        alone = alone and part.name not in sewn and not _NAMELESS.match(part.name)
+        if alone or (above and above != before and part.kind and kind_of(one(above.lower().split()[-1])) == ""):
             starts.append(k)
         before = above or before
-    several = len(starts) > 2 or (
-        len(starts) == 2 and _SET.search(built.pattern.text.text[:_INTRO].lower()) is not None
-    )
-    if not several:
+    own = sum(b - a > 1 for a, b in zip(starts, [*starts[1:], len(parts)]))
+    if own < _THINGS[0] or (own < _THINGS[1] and _SET.search(built.pattern.text.text[:_INTRO].lower()) is None):
         return [[part.name for part in parts]]
     starts[0] = 0
     return [[part.name for part in parts[a:b]] for a, b in zip(starts, [*starts[1:], len(parts)])]

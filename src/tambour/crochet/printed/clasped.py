@@ -30,42 +30,50 @@ _ALONG: Final = re.compile(
     r"\b(?:along|around|across|all round|of (?:the )?(?:first|second|other) (?:leg|arm))\b", re.IGNORECASE
 )
 _RANKS: Final = frozenset("first second other left right last 1st 2nd one next".split())
-_PLAIN: Final = frozenset(("number", "stitch", "mark"))
+_HOSTS: Final = frozenset(("body", "head", "fabric"))
+"""What the stitches between are said to be of: "sc in next 5 sc of body"."""
 
 
 def clasped(tokens: list[Token], text: str, nouns: Sequence[str]) -> tuple[list[Token], list[Clasp]] | None:
     """The words of a round with each such clause as its stitches alone, and what it holds; None where it has none, or says of it what is not
     understood. nouns : of the parts that may be held, singular."""
     kept, found = list[Token](), list[Clasp]()
-    waiting: tuple[str, str, int] | None = None
+    waiting: tuple[str, str, Token] | None = None
     same, past = False, tokens[0].start
+    last: list[Token] = []  # the stitches that held the part before
     for clause in _clauses(tokens):
         words = [t for t in clause if t.kind != "mark"]
         if not words:
-            kept += [replace(clause[0], word=",")] if kept and kept[-1].word != "," else []
+            counts = clause[0].word in ("-", "=")
+            kept += clause if counts else [replace(clause[0], word=",")] if kept and kept[-1].word != "," else []
             continue
         begin, end = clause[0].start, clause[-1].end
         said = text[past:end]  # with its fillers
         past = end
         at = next((k for k, t in enumerate(clause) if one(t.word) in nouns), None)
         some = _some(clause)
+        if waiting is not None and same and last and [t.value for t in some] != [t.value for t in last]:
+            # "join the second arm same as the first": by as many
+            again = [replace(t, start=waiting[2].start, end=waiting[2].end) for t in last]
+            found.append((waiting[0], waiting[1], Span(waiting[2].start, waiting[2].start), True))
+            kept += [*again, Token("mark", ",", waiting[2].end, waiting[2].end)]
+            waiting = None
         if at is not None and not _ALONG.search(said) and _HOLDS.search(said):
             noun, rank = one(clause[at].word), _rank(clause, at)
             if some:
                 found.append(_clasp(noun, rank, begin, end, some))
-                kept += some
-                waiting = None
+                kept, waiting, last = [*kept, *some], None, some
             else:
-                waiting, same = (noun, rank, begin), "same" in said
+                waiting, same = (noun, rank, clause[0]), "same" in said
             continue
         if waiting is not None and some and (same or _THROUGH.search(said)):
-            found.append(_clasp(waiting[0], waiting[1], waiting[2], end, some))
-            kept += some
-            waiting = None
+            found.append(_clasp(waiting[0], waiting[1], waiting[2].start, end, some))
+            kept, waiting, last = [*kept, *some], None, some
             continue
         if waiting is not None and not some and not any(t.kind == "stitch" for t in words):
             continue  # "flatten it": what is done with it before
         kept += clause
+    kept = [t for t in kept if not (t.kind == "word" and one(t.word) in _HOSTS)]
     if waiting is not None or not found or any(one(t.word) in nouns for t in kept):
         return None
     return kept, found
@@ -76,7 +84,7 @@ def _clauses(tokens: list[Token]) -> list[list[Token]]:
     made, depth = [list[Token]()], 0
     for t in tokens:
         depth += (t.word in OPEN) - (t.word in (")", "]", "}"))
-        if t.kind == "mark" and t.word in (",", ";", ".") and depth <= 0:
+        if t.kind == "mark" and t.word in (",", ";", ".", "-", "=") and depth <= 0:
             made += [[t], []]
         else:
             made[-1].append(t)
