@@ -22,6 +22,9 @@ Round 3: bobble of 4 dc, sc 8, inc (2 times), 6 sc [FLO], sc in the rest.
 Round 4: inc every 3rd st. Round 5: 3 sc in next st, ch 8 + 1, sc in every 3rd st around.
 Round 6: Leave 3 sts, ch 3, sc in each st across, 3 dc, ch 2, 3 dc in corner, 1 sc and 1 hdc in next st.
 Using 4 mm hook and Mustard, ch 4, join B in 13th sc of previous round, sc until 2 sts remain, dec.
+Round 7: *ch 5, sl st back down the chain, sl st in next sc* around, ch 6, turn, sl st in 2nd ch and along to ring.
+Round 8: (ch 6, sl st in 2nd ch from hook, sl st back along the next 4 ch, 1 sc in ring) 5 times. Ch 6, skip 1, sl st in next 5.
+*Ch 10, sl st in 2nd ch and in next 8 ch* twice more.
 8 sc; 2 inc; 8 sc - 1 thumb and 8 sc. Fold flat and work 6 sc through both layers.
 """.splitlines()
 
