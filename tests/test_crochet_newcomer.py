@@ -8,7 +8,7 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
-from tambour.crochet.language.finishes import Embroidery, Placed
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.shades import dyed, shade
@@ -260,3 +260,24 @@ def test_leaves_of_a_calyx(said: str) -> None:
 def test_what_does_not_go_into_a_ring_is_told() -> None:
     words = "Toy\n\nRnd 1: In a magic ring: *skip 1, sl st in next 5 ch, sc in ring; repeat from * 5 times.\nRnd 2: 6 sc in ring (6)\n"
     assert told(read(Text(words, "toy.txt")))
+
+
+def test_a_blogger_s_eyes_and_smile() -> None:
+    """ "Now it's time for the eyes! I put mine between rounds 11 and 12 …", "Give her a cute little smile"."""
+    pattern = read(Text((DATA / "octopus.txt").read_text(encoding="utf-8"), "octopus.txt"))
+    eyes = [f.spot.round for f in pattern.finish if isinstance(f, Eye)]
+    drawn = {f.motif for f in pattern.finish if isinstance(f, Embroidery)}
+    assert eyes == [11.5, 11.5] and drawn == {"smile", "cheeks"} and not pattern.unread
+    assert pattern.stated["gauge"][0].startswith("My tension")
+
+
+def test_a_nose_over_the_first_rounds_is_on_the_snout() -> None:
+    pattern = read(Text((DATA / "fox.txt").read_text(encoding="utf-8"), "fox.txt"))
+    (nose,) = [f for f in pattern.finish if isinstance(f, Embroidery) and f.motif == "nose"]
+    assert nose.spots[0].part == "MUZZLE" and pattern.stated["gauge"][0].startswith("Gauge is not critical")
+
+
+def test_blush_that_is_a_yarn_paints_no_cheeks() -> None:
+    pattern = read(Text((DATA / "bunny.txt").read_text(encoding="utf-8"), "bunny.txt"))
+    assert {f.motif for f in pattern.finish if isinstance(f, Embroidery)} == {"nose"}
+    assert pattern.stated["hook"][0] == "4 mm hook"

@@ -50,6 +50,8 @@ def motifs(text: str) -> list[str]:
     names = [name for _, name in sorted(found)]
     if "smile" in names and "mouth" in names:
         names.remove("mouth")
+    if len(names) > 1 and "cheeks" in names and "cheek" not in plain:
+        names.remove("cheeks")  # "Use the blush to sew a small nose": a yarn
     if len(names) > 1 and "dots" in names:
         names.remove("dots")
     return names

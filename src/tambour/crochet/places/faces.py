@@ -36,6 +36,7 @@ _UNDER_NOSE: Final = 0.4
 """How far below its middle the mouth of such a head is, in halves of its height."""
 _NOSE: Final = 1.2
 """How far below the eyes' lower edge a nose is, in stitches."""
+_CROWN: Final = 3  # rounds of a head that bear no nose
 _SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
 """A snout ends in this first part of a head's rounds, where they have more than the first of these shares of the widest one's
 stitches; one that is blunt at the second of them, or behind this part of the rounds."""
@@ -202,13 +203,18 @@ class Facer(Putter):
             what in ("nose", "v nose", "y nose", "mouth", "smile", "nostrils")
             and muzzle is not None
             and muzzle.name in placed
-            and (f.where.rounds is None or (what == "nostrils" and f.where.rounds[1] <= work.host((muzzle, 1)).high))
+            and (f.where.rounds is None or self._on_snout(f.where.rounds[1], what, work.host((muzzle, 1)).high))
         ):
             return work.host((muzzle, 1))
         head = work.of_kind("head")
         if work.bearer != work.main:
             return work.host((work.bearer, 1))
         return work.host((head, 1)) if head is not None and head != work.main else work.host((work.main, 1), "head")
+
+    @staticmethod
+    def _on_snout(last: float, what: str, high: int) -> bool:
+        """Whether rounds up to ``last`` are those of a snout, and not of the head behind it: a head's first are its crown."""
+        return last <= high and (what == "nostrils" or last <= _CROWN)
 
     def _too_small(self, f: Feature) -> bool:
         """Whether eyes are only near the part that is named: a snout bears none, nor a part without that round."""

@@ -30,6 +30,10 @@ _RUNS: Final = re.compile(
     r"(?P<place>(?:(?:all (?:the way )?|right |straight |evenly |in a (?:straight )?(?:line|row) )*)(?:down|along|up|over|across|on|onto|at|to|from|around|behind|in the middle|next to|below|above|under)\b.*)"
 )
 """A part, or a row of it, and where it lies: "The small spikes run down the tail"."""
+_GIVE: Final = re.compile(
+    r"^\W*(?:(?:and|then|now|finally|also)\s+)*give\s+(?:him|her|it|them|(?:the|your)\s+\w+)\s+(?=(?:an?|two|some|tiny|little|his|her)\b)"
+)
+"""What a face is given: "Give her a cute little smile"."""
 _SIDES: Final = (
     r"(?:(?:upper|lower|cent(?:er|re)|very)\s+)?"
     r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
@@ -90,6 +94,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         return None
     if (covers := _COVERS.match(low)) is not None and (kind_of(one(covers["name"])) or one(covers["name"]) in known):
         return covers.end("name"), " sewn over"
+    if (give := _GIVE.match(low)) is not None and face.motifs(low[give.end() :]):
+        return give.end(), "embroider "
     if (runs := _RUNS.match(low)) is not None and len(low) < _LONG and not _WORKS.search(runs["place"]):
         words = [one(w) for w in runs["name"].split()]
         on = [one(w) for w in re.findall(r"[^\W\d_]+", runs["place"])]

@@ -66,6 +66,19 @@ class Said:
     headed: str = ""
 
 
+_MINE: Final = re.compile(
+    r"^\W*(?:I|we)(?:'ve|’ve| have)? (?:put|placed|place|set|inserted|attached|added) (?:mine|them)\b", re.IGNORECASE
+)
+_BEFORE_IT: Final = 120  # letters before such a sentence that say what is meant
+
+
+def eyes_meant(text: str, begin: int, words: str) -> str:
+    """A sentence that says where its writer put hers, "I put mine between rounds 11 and 12", of eyes that the words before it name; as it is
+    otherwise."""
+    before = text[max(0, begin - _BEFORE_IT) : begin].rsplit("\n", 1)[-1].lower()
+    return _MINE.sub("put the eyes", words) if re.search(r"\beyes?\b", before) else words
+
+
 def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int, RGB], ...]:
     """The colours that tokens name, each with its place from ``start`` on."""
     made: list[tuple[int, RGB]] = []
@@ -140,7 +153,7 @@ def assembled(
     names = [part.name for part in built.pattern.parts]
     for one in said:
         span = one.span
-        words = built.pattern.text.text[span.start : span.end]
+        words = eyes_meant(built.pattern.text.text, span.start, built.pattern.text.text[span.start : span.end])
         exact: Finish | None = phrases.finishing(words, span)
         glossed = english(words, built.pattern.terms)
         words = glossed.text

@@ -15,8 +15,8 @@ from tambour.crochet.yarns import class_of, hook_of, tells_gauge
 FIBRES: Final = ("cotton", "acrylic", "chenille", "mohair", "wool")
 """What yarn may be of, as :attr:`CrochetParams.material` calls it, and the table of words says it."""
 
-_CLAUSE: Final = re.compile(r"(?:[^.!?|;•,\n]|[.!?](?!\s+[A-Z])|,(?!\s))+")
-_SENTENCE: Final = re.compile(r"\S(?:[^.!?\n]|[.](?=\d)|[.](?=[xX ]*[a-z]))*")
+_CLAUSE: Final = re.compile(r"(?:[^.!?|;•,\n]|[.!?](?!\s+[A-Z])(?!(?<!approx\.)(?<!ca\.)(?<!no\.)\s+\d)|,(?!\s))+")
+_SENTENCE: Final = re.compile(r"[^\s.!?](?:[^.!?\n]|[.](?=\d)|[.](?=[xX ]*[a-z]))*")
 """A sentence of a line, with the points of its numbers."""
 _LENGTH: Final = re.compile(r"(?<![\d.,])\d+(?:[.,]\d+)?\s*(?:cm\b|inch(?:es)?\b|ins?\b|\"|″|”)", re.IGNORECASE)
 _OTHER: Final = ("hook", "round", "row", "stitch", "eyes", "yarn", "gauge", "leave", "ring", "stuff", "foundation")

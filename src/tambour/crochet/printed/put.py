@@ -11,7 +11,7 @@ from tambour.crochet.places import face
 from tambour.crochet.places.assembling import assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken, under
-from tambour.crochet.printed.assembly import Said, alike
+from tambour.crochet.printed.assembly import Said, alike, eyes_meant
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -90,6 +90,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     if _HOW.search(text):
         return False
     names = [draft.name for draft in p.parts]
+    text = eyes_meant(p.source.text.text, tokens[0].start, text)
     heard = english(text, p.language.code).text
     if heard is not text:
         named = any(kind_of(one(w)) for w in re.findall(r"[^\W\d_]+", heard)) or face.motifs(heard)

@@ -55,7 +55,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
     if counted or any(works(tokens, k) and k > verb for k in range(len(tokens))):
         return False
     if verb < 0:
-        return first.word in ("you'll", "you're", "they're", "it'll")
+        return first.word in ("you'll", "you're", "they're", "it'll", "that's", "that")
     return first.kind in ("word", "stitch") or first.value in ("round", "row", "part", "each", "eyes", "color")
 
 
