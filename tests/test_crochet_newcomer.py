@@ -281,3 +281,13 @@ def test_blush_that_is_a_yarn_paints_no_cheeks() -> None:
     pattern = read(Text((DATA / "bunny.txt").read_text(encoding="utf-8"), "bunny.txt"))
     assert {f.motif for f in pattern.finish if isinstance(f, Embroidery)} == {"nose"}
     assert pattern.stated["hook"][0] == "4 mm hook"
+
+
+def test_rounds_that_are_worked_as_a_limb_s_hold_none() -> None:
+    text = HELD.format("sc around").replace(
+        "Rnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: (1 sc, inc) x 6 (18)\nRnd 4",
+        "Rnds 1-3: With larger hook, repeat Rnds 1-3 same as for Tail - 18 sc.\nRnd 4",
+    )
+    pattern = read(Text(text, "dino.txt"))
+    assert not any(isinstance(f, Placed) and f.through for f in pattern.finish)
+    assert max(counts(pattern)["BODY"]) == 36 and not pattern.unread

@@ -29,6 +29,8 @@ _THROUGH: Final = re.compile(
 _ALONG: Final = re.compile(
     r"\b(?:along|around|across|all round|of (?:the )?(?:first|second|other) (?:leg|arm))\b", re.IGNORECASE
 )
+_WORKED: Final = re.compile(r"\b(?:same|work|as) (?:as )?(?:for|given|in)\b", re.IGNORECASE)
+"""What is worked as a part is, and holds none: "repeat Rounds 1-3 same as for Legs"."""
 _RANKS: Final = frozenset("first second other left right last 1st 2nd one next".split())
 _HOSTS: Final = frozenset(("body", "head", "fabric"))
 """What the stitches between are said to be of: "sc in next 5 sc of body"."""
@@ -58,7 +60,8 @@ def clasped(tokens: list[Token], text: str, nouns: Sequence[str]) -> tuple[list[
             found.append((waiting[0], waiting[1], Span(waiting[2].start, waiting[2].start), True))
             kept += [*again, Token("mark", ",", waiting[2].end, waiting[2].end)]
             waiting = None
-        if at is not None and not _ALONG.search(said) and _HOLDS.search(said):
+        told = _WORKED.search(said) is not None
+        if at is not None and not told and not _ALONG.search(said) and _HOLDS.search(said):
             noun, rank = one(clause[at].word), _rank(clause, at)
             if some:
                 found.append(_clasp(noun, rank, begin, end, some))
