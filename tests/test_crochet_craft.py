@@ -185,7 +185,7 @@ def mutations(draw: st.DrawFn) -> str:
 @given(mutations(), st.sampled_from(["pressure", "centroid", "skeleton"]))
 @pytest.mark.slow
 def test_mutations_give_a_piece_or_a_located_error(text: str, stuffing: str) -> None:
-    began = time.perf_counter()
+    began = time.process_time()
     try:
         piece = made(text, max_stitches=20_000, stuffing=stuffing)
     except TambourError as error:
@@ -193,7 +193,7 @@ def test_mutations_give_a_piece_or_a_located_error(text: str, stuffing: str) -> 
     else:
         assert np.isfinite(piece.positions).all()
         facts(piece)
-    assert time.perf_counter() - began < 10.0
+    assert time.process_time() - began < 10.0
 
 
 def test_yarn_is_measured_by_colour() -> None:

@@ -59,7 +59,7 @@ def damaged(text, edits, moves):
 @given(st.sampled_from(TEXTS), st.lists(EDIT, min_size=1, max_size=4), st.lists(LINES, max_size=1))
 def test_a_damaged_pattern_is_a_graph_or_a_located_error(whole, edits, moves):
     text = damaged(whole, edits, moves)
-    began = time.perf_counter()
+    began = time.process_time()
     try:
         built = build(parse(Text(text), max_stitches=5000))
     except TambourError as error:
@@ -72,4 +72,4 @@ def test_a_damaged_pattern_is_a_graph_or_a_located_error(whole, edits, moves):
         assert len(graph.round) == len(graph) and len(built.shell) == len(graph.faces)
         assert all(w.warning and w.span is not None for w in built.warnings)
         pattern(built)
-    assert time.perf_counter() - began < 5
+    assert time.process_time() - began < 5
