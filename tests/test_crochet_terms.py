@@ -258,6 +258,7 @@ def test_a_seam_in_a_persons_words_is_read_back_as_the_same(code, tilt, way, tur
 _SIDES = [f"mid {side}" for side in ("front", "back", "top", "under")]
 _NAMED = {
     "book.py: book.own[name]": ["height", "width", "length", "depth"],
+    "placement.py: book.own[side]": ["front", "back", "its left", "its right", "above", "below"],
     "charted.py: book.own[_LEFT.get(key, key) if mirrored else key]": [
         *("chart rounds", "chart rounds left", "chart rows", "chart patch")
     ],

@@ -2,6 +2,7 @@
 
 import io
 import zipfile
+from pathlib import Path
 
 import docx
 import pytest
@@ -12,6 +13,7 @@ from tambour import files
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.printed.choose import read
+from tambour.files.document import read_docx, read_html
 
 ROUNDS = ["Rnd 1: 6 sc in magic ring (6)", "Rnd 2: inc x 6 (12)", "Rnd 3: (sc, inc) x 6 (18)"]
 
@@ -221,3 +223,24 @@ def test_a_text_with_its_picture_becomes_a_page_and_pages_of_pdf(tmp_path):
     back = files.read(tmp_path / "ball.pdf", ("Text",)).text
     plain = [one.replace("✓", " ").replace("?", " ").split() for one in (back, text.text)]
     assert plain[0] == plain[1]
+
+
+COLUMNS = ("Kopf (Rost)", "Rd 1: 6 fM in den Magischen Ring  6", "Rd 2: 6x Zun  12", "", "Ohren (2x)", "Rd 1: 4 fM  4")
+
+
+def test_a_count_stays_in_its_column_and_a_paragraph_is_a_line(tmp_path: Path) -> None:
+    """Blogs have a round a paragraph, and a count behind hard blanks or a tab: neither may become air or one blank."""
+    wanted = "\n".join(COLUMNS) + "\n"
+    page = tmp_path / "page.html"
+    hard = [line.replace("  ", "\u00a0 ") or "\u00a0" for line in COLUMNS]
+    page.write_text("".join(f"<p>{line}</p>\n" for line in hard), "utf-8")
+    assert read_html(page).text == wanted
+    for gap in ("  ", "\t"):
+        paper = docx.Document()
+        for line in COLUMNS:
+            paper.add_paragraph(line.replace("  ", gap))
+        paper.save(str(tmp_path / "page.docx"))
+        assert read_docx(tmp_path / "page.docx").text == wanted
+    # A paragraph of several lines is a block of its own.
+    page.write_text("<p>Kopf<br>Rd 1: 6 fM</p><p>Ohren</p>", "utf-8")
+    assert read_html(page).text == "Kopf\nRd 1: 6 fM\n\nOhren\n"

@@ -35,6 +35,10 @@ _DRAW: Final = "{urn:oasis:names:tc:opendocument:xmlns:drawing:1.0}"
 _HREF: Final = "{http://www.w3.org/1999/xlink}href"
 
 
+_GAP: Final = re.compile(r"[^\S\n]{2,}|\t")
+_BLANK: Final = re.compile(r"[^\S\n ]")
+
+
 class Pages:
     """A document's text as it is gathered: lines, and photos (where they stand, their bytes). TambourError where it is too much."""
 
@@ -45,10 +49,11 @@ class Pages:
         self._length = self._shown = 0
 
     def line(self, words: str, before: str = "") -> None:
-        """A line; several where the words have breaks of their own."""
+        """A line; several where the words have breaks of their own. Tabs and blanks in a row stay two blanks: what stands behind them is
+        a column of its own, as a round's count is."""
         for piece in words.split("\n"):
-            said = " ".join(piece.split())
-            self._add(f"{before}{said}" if said else "")
+            said = _GAP.sub("  ", piece.strip())
+            self._add(f"{before}{_BLANK.sub(' ', said)}" if said else "")
 
     def heading(self, words: str) -> None:
         """A heading, with air about it."""
@@ -285,19 +290,18 @@ class _Page(HTMLParser):
         self.said: list[str] = []
         self.cells: list[str] | None = None
         self.lists: list[int] = []  # the number that comes next in every list that is open, -1 in one with dots
-        self.heading, self.before, self.hidden, self.rough = False, "", 0, False
+        self.heading, self.before, self.hidden, self.rough, self.broken = False, "", 0, False, False
 
     def end(self) -> None:
         """The words so far are a line."""
         words, self.said = "".join(self.said), []
-        words = words if self.rough else " ".join(words.split(" "))
         if self.cells is not None or not words.strip():
             self.said = [words] if self.cells is not None else []
         elif self.heading:
             self.pages.heading(words)
         else:
             self.pages.line(words, self.before)
-            self.before = ""
+            self.before, self.broken = "", "\n" in words.strip()
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag in _SKIPPED:
@@ -332,9 +336,12 @@ class _Page(HTMLParser):
             self.pages.row(self.cells)
             self.cells, self.said = None, []
         elif tag in _BLOCKS:
+            empty = not "".join(self.said).strip()
+            self.broken = False
             self.end()
             self.heading = False
-            if tag == "p":
+            if tag == "p" and (empty or self.broken):
+                # A round a paragraph is how pages of the web are typed: air is what is empty, or about several lines.
                 self.pages.line("")
         if tag in ("ul", "ol") and self.lists:
             self.lists.pop()
@@ -342,7 +349,7 @@ class _Page(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         if not self.hidden:
-            self.said.append(data if self.rough else re.sub(r"\s+", " ", data))
+            self.said.append(data if self.rough else re.sub(r"[ \t\r\n\f]+", " ", data))
 
     def _image(self, where: str) -> bytes:
         """A picture that the page holds itself, or that lies beside it."""
