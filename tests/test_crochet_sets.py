@@ -119,6 +119,39 @@ def test_skipped_stitches_are_those_that_were_skipped_whatever_their_round_is_ca
     made = [build(pattern(legs.format(said))) for said in ("6th rnd", "7th rnd", "8th rnd")]
     edges = [b.graph.edges.tolist() for b in made]
     assert edges[0] == edges[1] == edges[2]
+    graph, rounds = made[0].graph, made[0].rounds
+    legs_ = [
+        [int(n) for n in graph.parent[r.first : r.last + 1] if graph.round[n] == 5] for r in (rounds[6], rounds[8])
+    ]
+    assert [len(set(leg)) for leg in legs_] == [12, 12] and not set(legs_[0]) & set(legs_[1])
+
+
+SKIPS = [
+    "1 sc in each of next 12 sc. Skip last 12 sts.",
+    "Skip first 12 sts. 1 sc in each of next 12 sc.",
+    "1 sc in each of first 6 sc. Skip next 12 sc. 1 sc in each of last 6 sc.",
+    "1 sc in each of first 6 sc. Skip next 12 sc. 1 sc in each sc to end of rnd.",
+]
+
+
+@pytest.mark.parametrize("skip", SKIPS)
+@pytest.mark.parametrize(
+    "where",
+    ["first skipped st in 3rd rnd", "last skipped st in 4th rnd", "first skipped sc of 5th rnd", "next skipped st"],
+)
+def test_a_second_limb_is_worked_into_the_stitches_that_the_first_left(skip: str, where: str) -> None:
+    text = (
+        "Whale\n\nBODY\n1st rnd: 6 sc in magic ring. Join. 6 sc.\n2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.\n"
+        f"3rd rnd: Ch 1. 2 sc in each sc around. Join. 24 sc.\n4th rnd: Ch 1. {skip} Join. 12 sc.\n"
+        "5th rnd: Ch 1. (Sc2tog) 6 times. Join. 6 sc.\nFasten off.\n"
+        f"Next rnd: Join A to {where}. 1 sc in each of next 12 sc. Join. 12 sc.\nNext rnd: Ch 1. 1 sc in each sc around. Join.\n"
+    )
+    built = build(pattern(text))
+    assert [r.count for r in built.rounds] == [6, 12, 24, 12, 6, 12, 12]
+    graph = built.graph
+    first, second = ({int(n) for n in graph.parent[r.first : r.last + 1]} for r in (built.rounds[3], built.rounds[5]))
+    third = set(range(built.rounds[2].first, built.rounds[2].last + 1))
+    assert len(first & third) == len(second & third) == 12 and not first & second & third
 
 
 @pytest.mark.parametrize(

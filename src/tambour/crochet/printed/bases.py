@@ -66,16 +66,19 @@ def lifted(items: list[Item]) -> list[Item]:
     return items
 
 
-def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
-    """What brings the hook back to the round of ``draft`` that ``place`` names, where a mark is put, and the stitches there; None where
-    that round is not known."""
+def back_to(
+    draft: Draft, place: Moved, stitches: dict[str, Stitch] | None = None
+) -> tuple[Action, int, tuple[int, int]] | None:
+    """What brings the hook back to the round of ``draft`` that ``place`` names, where a mark is put, the stitches there that are free, and how
+    many before and behind them are not; None where that round is not known."""
     if not (place.number or place.before or place.free):
         return None
     meant = place.number or 0
     if draft.offset and draft.offset < draft.offset + meant <= draft.last:
         meant += draft.offset  # "Row 7", of rows that began at 1 again
-    if meant and place.free and not place.loops:
-        meant = _skipped_below(draft, meant)
+    gap = _skipped(draft, meant, place, stitches or {})
+    if gap is not None:
+        meant = gap[0]
     number = meant or (draft.last + 1 - place.before if place.before else _left_loops(draft))
     edge = draft.edges.get(number, 0)
     at = next(
@@ -111,7 +114,10 @@ def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
         draft.marks = [(stars, where + more if where > at else where) for stars, where in draft.marks]
         if draft.chain is not None and draft.chain > at:
             draft.chain += more
-    return Action("goto", place.span, labels=(label,)), edge
+    goto = Action("goto", place.span, labels=(label,))
+    if gap is None or (behind := edge - gap[1] - gap[2]) < 0:
+        return goto, edge, (0, 0)
+    return goto, gap[2], (gap[1], behind)
 
 
 def _looped(draft: Draft, place: Moved, items: list[Item]) -> list[Item]:
@@ -128,16 +134,28 @@ def _looped(draft: Draft, place: Moved, items: list[Item]) -> list[Item]:
     return [Action(loops, place.span)] if loops else []
 
 
-def _skipped_below(draft: Draft, number: int) -> int:
-    """The round whose stitches were skipped, where "skipped sts of Round ``number``" has none: that the round which skips them, or the
-    next one, is named instead is a usual slip."""
+def _skipped(draft: Draft, number: int, place: Moved, stitches: dict[str, Stitch]) -> tuple[int, int, int] | None:
+    """The round whose stitches a round skips that is worked on it, where ``place`` is the skipped ones of Round ``number`` (0: the last
+    ones); how many of its stitches lie before them, and how many they are. That the round which skips them, or the next one, is named
+    instead is a usual slip. None where it is no such place."""
+    if not place.free or place.loops:
+        return None
     skips = {
-        line.number
+        line.number: (line.items[:k], item.times)
         for line in draft.lines
-        if line.in_round and any(isinstance(i, Action) and i.name == "skip" and i.times >= _SEVERAL for i in line.items)
+        for k, item in enumerate(line.items)
+        if line.in_round and line.number and isinstance(item, Action) and item.name == "skip" and item.times >= _SEVERAL
     }
-    below = (n - 1 for n in (number + 1, number, number - 1) if n in skips)
-    return next((n for n in below if n > 0), number)
+    by = [n for n in (number + 1, number, number - 1) if n in skips and n > 1] if number else sorted(skips)[-1:]
+    if not by:
+        return None
+    before, many = skips[by[0]]
+    ahead = worked(before, MOST, stitches)
+    return by[0] - 1, ahead[1] if ahead else MOST, many
+
+
+def _skip(many: int, place: Moved) -> list[Item]:
+    return [Action("skip", place.span, many)] if many else []
 
 
 def _left_loops(draft: Draft) -> int:
@@ -183,19 +201,27 @@ def elsewhere(
     its own then."""
     tokens, times, span = what
     another = bool(place.words) and named([one.name for one in p.parts], place.words) is not None
-    if place.number and place.number == draft.last and draft.begun() and not another:
+    here = place.number == draft.last and draft.begun() and not another
+    if place.number and here and _skipped(draft, place.number, place, p.source.stitches) is None:
         return draft, head, read  # the edge at the hook
     owner = draft if draft.begun() else p.parts[-2] if len(p.parts) > 1 and not place.words else draft
-    back = back_to(owner, place) if owner.begun() and read.refers is None else None
+    back = back_to(owner, place, p.source.stitches) if owner.begun() and read.refers is None else None
     if back is not None:
-        goto, edge = back
+        goto, edge, (ahead, behind) = back
         again = decided(p.source, tokens, p.palette, edge, p.phrases, times)
         if again.fit or again.stated is None:
             if owner is not draft:
                 p.parts.remove(draft)
                 owner.lines += [line for line in draft.lines if not draft.begun()]
             owner.leave(p.source)
-            again.items[:0] = [goto, *_looped(owner, place, again.items)]
+            end = -1 if isinstance(last := again.items[-1], Action) and last.name == "join" else None
+            items = [
+                *_skip(ahead, place),
+                *_looped(owner, place, again.items),
+                *again.items[:end],
+                *_skip(behind, place),
+            ]
+            again.items[:end] = [goto, *items]
             owner.edge, owner.chain, owner.sure = edge, None, True
             if head.numbers and head.numbers[0] <= owner.last and owner is not draft:
                 owner.offset = owner.last
