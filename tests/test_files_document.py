@@ -225,14 +225,23 @@ def test_a_text_with_its_picture_becomes_a_page_and_pages_of_pdf(tmp_path):
     assert plain[0] == plain[1]
 
 
-COLUMNS = ("Kopf (Rost)", "Rd 1: 6 fM in den Magischen Ring  6", "Rd 2: 6x Zun  12", "", "Ohren (2x)", "Rd 1: 4 fM  4")
+COLUMNS = (
+    "YARN    #1 Rost 40 g",
+    "        #2 Creme 5 g",
+    "Kopf (Rost)",
+    "Rd 1: 6 fM in den Magischen Ring  6",
+    "Rd 2: 6x Zun  12",
+    "",
+    "Ohren (2x)",
+    "Rd 1: 4 fM  4",
+)
 
 
 def test_a_count_stays_in_its_column_and_a_paragraph_is_a_line(tmp_path: Path) -> None:
     """Blogs have a round a paragraph, and a count behind hard blanks or a tab: neither may become air or one blank."""
     wanted = "\n".join(COLUMNS) + "\n"
     page = tmp_path / "page.html"
-    hard = [line.replace("  ", "\u00a0 ") or "\u00a0" for line in COLUMNS]
+    hard = [line.replace("  ", "\u00a0\u00a0") or "\u00a0" for line in COLUMNS]
     page.write_text("".join(f"<p>{line}</p>\n" for line in hard), "utf-8")
     assert read_html(page).text == wanted
     for gap in ("  ", "\t"):

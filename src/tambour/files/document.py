@@ -35,7 +35,6 @@ _DRAW: Final = "{urn:oasis:names:tc:opendocument:xmlns:drawing:1.0}"
 _HREF: Final = "{http://www.w3.org/1999/xlink}href"
 
 
-_GAP: Final = re.compile(r"[^\S\n]{2,}|\t")
 _BLANK: Final = re.compile(r"[^\S\n ]")
 
 
@@ -49,11 +48,11 @@ class Pages:
         self._length = self._shown = 0
 
     def line(self, words: str, before: str = "") -> None:
-        """A line; several where the words have breaks of their own. Tabs and blanks in a row stay two blanks: what stands behind them is
-        a column of its own, as a round's count is."""
+        """A line; several where the words have breaks of their own. Blanks stay as they are, and a tab is two: columns are set by them,
+        that of the rounds' counts among them."""
         for piece in words.split("\n"):
-            said = _GAP.sub("  ", piece.strip())
-            self._add(f"{before}{_BLANK.sub(' ', said)}" if said else "")
+            said = _BLANK.sub(" ", piece.replace("\t", "  ")).rstrip()
+            self._add(f"{before}{said.lstrip()}" if said and before else said)
 
     def heading(self, words: str) -> None:
         """A heading, with air about it."""
@@ -295,6 +294,7 @@ class _Page(HTMLParser):
     def end(self) -> None:
         """The words so far are a line."""
         words, self.said = "".join(self.said), []
+        words = words if self.rough else re.sub(r" *\n *", "\n", words.strip(" "))  # blanks about a break are none
         if self.cells is not None or not words.strip():
             self.said = [words] if self.cells is not None else []
         elif self.heading:
