@@ -15,11 +15,63 @@ _CALLED: Final = frozenset("r rd rnd round rounds rnds row rows".split())
 _SHAPED: Final = frozenset(("v", "w", "a", "m", "inc", "dec", "incs", "decs"))
 _STOPS: Final = frozenset((",", ")", "]", "·", "•", ".", ";", "|"))
 _OPENS: Final = frozenset(("(", "["))
+_PAIR: Final = re.compile(
+    r"[(\[] (\d+) (incs?|decs?) [)\]] (?:(?:x|\*|×) ?)?(\d+)(?: times| x)? (?:[(\[]|=) (\d+)(?: (?:sts?|sc))?(?: [)\]])?(?: [.,].*)?"
+)
+_TO: Final = frozenset(("-", "–", "+", "&", "to", "and"))
 
 
 def numerals(rows: list[Row], stitch: str, ring: str) -> list[Row]:
     """``rows`` in which lone numbers are so many of ``stitch``; a lone number that a first round has is worked into a ``ring``."""
-    return [replace(row, tokens=_put(row.tokens, stitch, ring)) if _heads(row.tokens) else row for row in rows]
+    made = [replace(row, tokens=_put(row.tokens, stitch, ring)) if _heads(row.tokens) else row for row in rows]
+    made = [replace(row, tokens=_put_noted(row.tokens, stitch)) if noted(row.tokens) else row for row in made]
+    return _between(made, stitch)
+
+
+def _between(rows: list[Row], stitch: str) -> list[Row]:
+    """Puts "(2 dec)x6 (18)" as "(2 sc, dec)x6 (18)", in a text whose counts come out so, and in no row only as so many decreases."""
+    found: dict[int, tuple[int, bool, bool]] = {}
+    for k, row in enumerate(rows):
+        at = next((n for n, t in enumerate(row.tokens) if t.word in _OPENS), None)
+        said = None if at is None else _PAIR.fullmatch(" ".join(t.word for t in row.tokens[at:]))
+        if at is not None and said is not None:
+            each, times, count = int(said[1]), int(said[3]), int(said[4])
+            grown = said[2].startswith("inc")
+            made = times * (each + (2 if grown else 1)) == count, times * each * (2 if grown else 1) == count
+            found[k] = (at + 2, *made)
+    kinds = list(found.values())
+    if not any(apart and not alike for _, apart, alike in kinds) or any(
+        alike and not apart for _, apart, alike in kinds
+    ):
+        return rows
+    made_ = list(rows)
+    for k, (at, apart, _) in found.items():
+        if apart:
+            tokens, end = rows[k].tokens, rows[k].tokens[at - 1].end
+            worked = [Token("word", stitch, end, end, None, True), Token("mark", ",", end, end)]
+            made_[k] = replace(rows[k], tokens=[*tokens[:at], *worked, *tokens[at:]])
+    return made_
+
+
+def noted(tokens: list[Token]) -> bool:
+    """Whether a line is a round's head and a number, "r4 18", "rnd 6-7 24", and nothing else: a note of one's own, so many plain stitches."""
+    if len(tokens) < 2 or tokens[-1].kind != "number":
+        return False
+    named, rest = tokens[0].word in _CALLED, tokens[1:-1] if tokens[0].word in _CALLED else tokens[:-1]
+    first = rest[0].word if rest else ""
+    heads = first.isdigit() if named else _NUMBERED.fullmatch(first) is not None
+    more = rest[1:]
+    return heads and (not more or (len(more) == 2 and more[0].word in _TO and more[1].kind == "number"))
+
+
+def _put_noted(tokens: list[Token], stitch: str) -> list[Token]:
+    last = tokens[-1]
+    return [
+        *tokens[:-1],
+        Token("mark", ":", last.start, last.start),
+        last,
+        Token("word", stitch, last.end, last.end, None, True),
+    ]
 
 
 def _heads(tokens: list[Token]) -> list[int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -13,6 +14,7 @@ _BOTH: Final = frozenset(
 """Words behind stitches that are worked as one: the number before these is how many."""
 _COUNTED: Final = frozenset(("ttes les", "toutes les", "tous les", "cada", "every"))
 """Words before a number of stitches of which one is meant, "cada 3 puntos"; "all 3 sts" are each of them."""
+_COUNTED_REPEAT: Final = re.compile(r"[)\]*] (?:[x*×] )?(\d+)(?: times)?,?(?: [-=:])? [(\[]? ?(\d+)\b")
 _KINDS: Final = ("hdc", "dc", "tr", "")
 
 
@@ -34,7 +36,7 @@ def spread(tokens: list[Token]) -> list[Token]:
 def _together(tokens: list[Token]) -> list[Token]:
     """``2 M zus.``, ``2 ms ens.``: as one decrease; ``3 M zus.`` as one of three."""
     made: list[Token] = []
-    for token in tokens:
+    for k, token in enumerate(tokens):
         words = token.word.split()
         if token.kind == "stitch" and "dec" in str(token.value) and len(words) > 1 and words[-1] in _BOTH:
             before = made[-1] if made else None
@@ -42,10 +44,18 @@ def _together(tokens: list[Token]) -> list[Token]:
                 made.pop()
                 many = "" if before.value == 2 else str(before.value)
                 token = Token("stitch", token.word, before.start, token.end, f"{token.value}{many}", before.glued)
-        if token.value in ("inc", "dcinc") and len(words) > 1 and token.glued and made and made[-1].value == 2:
+        doubled = token.value in ("inc", "dcinc") and len(words) > 1 and token.glued and made and made[-1].value == 2
+        if doubled and not _apart(tokens, k):
             made.pop()  # "2dc inc": two in one stitch
         made.append(token)
     return made
+
+
+def _apart(tokens: list[Token], at: int) -> bool:
+    """Whether the count of a repeat says that "(2sc inc) x 6 (24)" is two stitches and an increase: four each time."""
+    said = " ".join(str(t.value) if t.kind == "number" else t.word for t in tokens[at + 1 :])
+    told = _COUNTED_REPEAT.match(said)
+    return told is not None and 4 * int(told[1]) == int(told[2])
 
 
 def _all(tokens: list[Token], at: int) -> tuple[int, list[Token]] | None:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from tambour.crochet.printed.heads import head
+from tambour.crochet.printed.numerals import noted
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 
@@ -27,6 +28,8 @@ _SHORTENED: Final = frozenset(("tot", "no", "sum"))
 _READ: Final = (("-",), ("=",), (":",), (";",), (".",), ("|",))  # signs that every text's counts may have
 _BINDING: Final = frozenset(("x", "*", "+", "_"))
 """These bind a number to what is before it, unless they stand behind it too."""
+_TIMES: Final = re.compile(r"[x×*]\d+")
+_DONE: Final = frozenset("close closed fo fasten off stuff cut end and then finish done .".split())
 _CLOSED: Final = frozenset((")", "]", "}"))  # a repeat may end so before its count
 _WORKED: Final = frozenset("ring mr mc around each all st sts round times stitch".split())
 """Behind these words a number alone is no number of stitches to work."""
@@ -248,7 +251,11 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     ends: dict[int, tuple[tuple[str, ...], int, int]] = {}
     rounds = 0
     for k, row in enumerate(rows):
-        if len(row.tokens) < 3 or not any(c.isdigit() for t in row.tokens[:3] for c in t.word[-1:]):
+        if (
+            len(row.tokens) < 3
+            or noted(row.tokens)
+            or not any(c.isdigit() for t in row.tokens[:3] for c in t.word[-1:])
+        ):
             continue
         if (begin := _begins(row.tokens, vocabulary)) is None:
             continue
@@ -270,7 +277,12 @@ def _counts(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
 
 
 def _tail(tokens: list[Token], vocabulary: Vocabulary) -> int:
-    """Where a bracket begins that ends a line and says how many rounds it is: "42  (7 rounds)"; the line's end where none does."""
+    """Where a bracket begins that ends a line and says how many rounds it is, "42  (7 rounds)", or what is done behind the count, "6, close";
+    the line's end where none does."""
+    comma = max((k for k, t in enumerate(tokens) if t.word in (",", ";")), default=0)
+    behind = tokens[comma + 1 :] if comma > 1 and tokens[comma - 1].kind == "number" else []
+    if behind and all(t.word in _DONE for t in behind):
+        return comma
     k = len(tokens) - 4
     if (
         k < 2
@@ -320,7 +332,10 @@ def _behind(tokens: list[Token], begin: int) -> tuple[tuple[str, ...], int, int]
     if not opening and not said and tokens[end.number].start - tokens[end.at - 1].end >= _GAP:
         return (_COLUMN, *closing), end.at, end.number
     if not opening and not said:
-        worked = tokens[end.at - 1].kind == "word" and before not in _WORKED
+        done = (
+            tokens[end.at - 2].kind == "number" and end.at - 2 >= begin
+        )  # "6 inc 12": how many of them is said before them
+        worked = tokens[end.at - 1].kind == "word" and not (before in _WORKED or _TIMES.fullmatch(before) or done)
         return None if worked or before in _BINDING else (("", *closing), end.at, end.number)
     if not said:
         bound = len(opening) == 1 and opening[0] in _BINDING and opening[0] not in closing
