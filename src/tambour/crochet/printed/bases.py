@@ -76,7 +76,7 @@ def back_to(
     meant = place.number or 0
     if draft.offset and draft.offset < draft.offset + meant <= draft.last:
         meant += draft.offset  # "Row 7", of rows that began at 1 again
-    gap = _skipped(draft, meant, place, stitches or {})
+    gap = None if stitches is None else _skipped(draft, meant, place, stitches)
     if gap is not None:
         meant = gap[0]
     number = meant or (draft.last + 1 - place.before if place.before else _left_loops(draft))
@@ -154,6 +154,10 @@ def _skipped(draft: Draft, number: int, place: Moved, stitches: dict[str, Stitch
     return by[0] - 1, ahead[1] if ahead else MOST, many
 
 
+def _limb(name: str) -> bool:
+    return any(kind_of(one(w)) in ("leg", "arm") for w in re.split(r"[\W_\d]+", name.lower()))
+
+
 def _skip(many: int, place: Moved) -> list[Item]:
     return [Action("skip", place.span, many)] if many else []
 
@@ -205,7 +209,9 @@ def elsewhere(
     if place.number and here and _skipped(draft, place.number, place, p.source.stitches) is None:
         return draft, head, read  # the edge at the hook
     owner = draft if draft.begun() else p.parts[-2] if len(p.parts) > 1 and not place.words else draft
-    back = back_to(owner, place, p.source.stitches) if owner.begun() and read.refers is None else None
+    # A limb with a heading of its own is a part of its own, which is sewn to what was skipped.
+    limb = _limb(draft.name if not draft.begun() else p.under.name if p.under is not None else "")
+    back = back_to(owner, place, None if limb else p.source.stitches) if owner.begun() and read.refers is None else None
     if back is not None:
         goto, edge, (ahead, behind) = back
         again = decided(p.source, tokens, p.palette, edge, p.phrases, times)
@@ -228,9 +234,6 @@ def elsewhere(
                 head = replace(head, numbers=tuple(n + owner.offset for n in head.numbers))
             return owner, head, again
     if draft.begun():
-        limb = p.under is not None and any(
-            kind_of(one(w)) in ("leg", "arm") for w in re.split(r"[\W_\d]+", p.under.name.lower())
-        )
         under = p.under if limb else None
         p.heading = p.heading or under or Heading(f"{draft.name or 'piece'} edging".strip(), place.span)
         lead = draft.last
