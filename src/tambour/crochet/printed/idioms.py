@@ -45,7 +45,7 @@ _IDIOMS: Final = tuple(
         (r"(\d+) scblo", "{1} sc in blo"),  # without a number it may be a stitch of the pattern's own
         (r"(\d+) scflo", "{1} sc in flo"),
         (r"(blo|flo) -", "{1} :"),
-        (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]|(?: \d+)? ?$)", "{1} sc in mr"),
+        (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
         # the same round once more
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
