@@ -25,6 +25,9 @@ Using 4 mm hook and Mustard, ch 4, join B in 13th sc of previous round, sc until
 Round 7: *ch 5, sl st back down the chain, sl st in next sc* around, ch 6, turn, sl st in 2nd ch and along to ring.
 Round 8: (ch 6, sl st in 2nd ch from hook, sl st back along the next 4 ch, 1 sc in ring) 5 times. Ch 6, skip 1, sl st in next 5.
 *Ch 10, sl st in 2nd ch and in next 8 ch* twice more.
+Work as for Arm, omitting all references to color changes. Repeat Rnds 1-4 of Arm in C, with no color changes.
+As for Arm, using C instead of B. Same as Arm but work Rounds 1-4 with C. Repeat Rnd 4, replacing A with C. As Arm, all in C.
+Work as Arm, substituting C for A. Work as for Arm, using C for Rnds 2-3. Same as Arm, in one color throughout.
 8 sc; 2 inc; 8 sc - 1 thumb and 8 sc. Fold flat and work 6 sc through both layers.
 """.splitlines()
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text
@@ -46,6 +47,7 @@ NOTHING: Final = "this holds no crochet instructions"
 _TAIL: Final = re.compile(r"\s*(?:[(\[][^()\[\]]{2,30}[)\]]|[-–—|]\s*\w+ \w+)\s*$")  # "(UK terms)", "- US terms"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
+_LAST: Final = dict.fromkeys(("previous", "prev", "preceding"), "last")  # "of previous rnd"
 _HINTED = 20  # errors that suggestions are looked for
 
 
@@ -334,9 +336,9 @@ class Printed(Headed):
             and self.hanging is None
             and last is not None
             and last.last
-            and last.off is None
+            and (last.off is None or (self.heading is None and _rejoins(tokens, last.last - last.offset)))
             and (last.edge or 0) > 2
-            and not _starts(tokens, ringed)
+            and not _starts(tokens, ringed, self.heading is None)
             and (self.heading is None or not self.heading.marked)
         ):
             self.heading = None
@@ -373,13 +375,45 @@ def _ends_line(tokens: list[Token], k: int) -> bool:
     return not named and (after is None or before is None or before.word in (".", ")", "]"))
 
 
-def _starts(tokens: list[Token], ringed: bool) -> bool:
-    """Whether words begin a piece of work: in a ring, in a chain or, where no ring was ``ringed`` already, as another part."""
+def _starts(tokens: list[Token], ringed: bool, unheaded: bool) -> bool:
+    """Whether words begin a piece of work: in a ring, in a chain or, where no ring was ``ringed`` already, as another part; of work that is
+    ``unheaded`` "same" may say where a stitch goes."""
     starts = ("ring", "loop", "hook", "foundation") if ringed else ("ring", "loop", "hook", "foundation", "as", "same")
     yarn = {
         k + 1 for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("with", "join", "color")
     }  # "With MC"
-    return any(t.kind == "key" and t.value in starts and k not in yarn for k, t in enumerate(tokens))
+    here = {k for k, t in enumerate(tokens[:-1]) if unheaded and t.value == "same" and _place_of_work(tokens[k + 1])}
+    here |= {n for k in here for n in range(k + 2, k + 4) if n < len(tokens) and tokens[n].value == "as"}
+    return any(t.kind == "key" and t.value in starts and k not in yarn | here for k, t in enumerate(tokens))
+
+
+def _place_of_work(token: Token) -> bool:
+    """Whether "same" before a word says where a stitch goes, and names nothing that is worked again: "in same sp as sl st", "of same row"."""
+    return (
+        token.kind == "stitch"
+        or token.value in ("stitch", "space", "row", "round", "loop", "ch")
+        or token.word == "place"
+    )
+
+
+def _rejoins(tokens: list[Token], number: int) -> bool:
+    """Whether words join yarn to the round that was fastened off, the last one or its ``number``: "Join A to back loop of 9th sc of last rnd",
+    "Join A in any st"."""
+    end = next((k for k, t in enumerate(tokens) if t.word in (".", ";")), len(tokens))
+    said = [_LAST.get(t.word, t.value) for t in tokens[:end]]
+    if "join" not in said:
+        return False
+    named = {("last", r) for r in ("round", "row")} | {
+        ("round", number),
+        ("row", number),
+        (number, "round"),
+        (number, "row"),
+    }
+    if not named.isdisjoint(pairwise(said)):
+        return True
+    at = next((k for k in range(end) if tokens[k].word == "any"), end)
+    clause = tokens[at : next((k for k in range(at, end) if tokens[k].word == ","), end)]
+    return len(clause) == 2 and (clause[1].kind == "stitch" or clause[1].value == "stitch")
 
 
 def _counted_off(head: Head, tokens: list[Token]) -> list[Token]:

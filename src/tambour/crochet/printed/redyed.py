@@ -88,7 +88,7 @@ def redyed(line: Line, lines: list[Line], hues: list[RGB]) -> list[Line]:
     """The rounds of ``line``, which are some of ``lines``, in other yarns: these take the place of the colours there in their order."""
     seen = [i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"]
     dyes = dict(zip(dict.fromkeys(seen), hues, strict=False))
-    made = [replace(one, items=tuple(_dyed(i, dyes) for i in one.items)) for one in line.rounds()]
+    made = [replace(one, items=tuple(dyed(i, dyes) for i in one.items)) for one in line.rounds()]
     begun = Action("color", line.span, numbers=hues[0])
     return [replace(made[0], items=(begun, *made[0].items)), *made[1:]]
 
@@ -102,13 +102,13 @@ def turned_to(made: list[Line], later: list[tuple[Action, int]], first: int) -> 
         behind = (i for one in made[k + 1 :] for i in one.items if isinstance(i, Action) and i.name == "color")
         old = old or next(behind, None)
         dyes = {old.numbers: hue.numbers} if isinstance(old, Action) else {}
-        rest = [replace(one, items=tuple(_dyed(i, dyes) for i in one.items)) for one in made[k + 1 :]]
+        rest = [replace(one, items=tuple(dyed(i, dyes) for i in one.items)) for one in made[k + 1 :]]
         made = [*made[:k], replace(made[k], items=(*items, hue)), *rest]
     return made
 
 
-def _dyed(item: Item, hues: Mapping[tuple[int, ...], tuple[int, ...]]) -> Item:
+def dyed(item: Item, hues: Mapping[tuple[int, ...], tuple[int, ...]]) -> Item:
     """``item`` with other colours in place of those it changes to."""
     if isinstance(item, Group):
-        return replace(item, items=tuple(_dyed(i, hues) for i in item.items))
+        return replace(item, items=tuple(dyed(i, hues) for i in item.items))
     return replace(item, numbers=hues.get(item.numbers, item.numbers)) if item.name == "color" else item

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import accumulate
+from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
@@ -16,8 +18,13 @@ from tambour.crochet.printed.naming import figured, named, version
 from tambour.crochet.printed.parts import MARKED, MOST_ROUNDS, Draft
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, rounds_until
+from tambour.crochet.printed.recolored import Dye, banded, dye, recolored
 from tambour.crochet.printed.redyed import dressed, redyed, turned_to
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.unread import NOT_UNDERSTOOD
+
+_LONG: Final = 200  # characters of what a sentence says behind its reference
+_SENTENCE: Final = re.compile(r"[.;](?:\s|$)|\n\s*\n")
 
 
 def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> bool:
@@ -77,6 +84,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
         source.doubt(message, "say the rounds, or a length in inches or cm", refers.span)
     if refers.until and not (total := rounds_until(lines, draft.edge, refers.until, source.stitches)):
         return False
+    how, plain = _other_yarns(p, refers), draft.begun()
     if refers.mirrored:
         source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
     if not draft.begun() or draft.chain is not None:
@@ -89,6 +97,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
             own = [replace(line, items=said) for line, said in hues if said]
             # "With B, work as for Head" is worked in B.
             begun = [_undyed(line) if own else line for line in origin.lines[:first]]
+            begun = recolored(begun, how, True) if how is not None and how.swaps and begun else begun
+            plain = plain or bool(own)
             draft.lines, draft.chain, draft.flat = [*own, *begun], None, origin.flat
     number = numbers[0] if numbers else draft.last + 1
     at = head.span if head is not None and numbers else refers.span
@@ -103,18 +113,24 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     # Lines that work others again, as those others: round upon round said so would lead too deep.
     lines = tuple(one for line in lines for one in ((line,) if line.again is None else line.rounds()))
     said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
+    if how is not None and how.only is None:
+        lines = tuple(recolored(list(lines), how, plain or any(i.name == "color" for i in said)))
+        body.hues = []
     later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
     midway = [(hue, n) for hue, n in body.later if isinstance(hue, Action) and 0 <= n - first_number < total - 1]
     later += tuple(hue for hue, n in body.later if isinstance(hue, Action) and (hue, n) not in midway)
     lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
     again = Again(lines, first_number, last_number, "" if origin is draft else origin.name, refers.span)
-    line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
+    notes = (how.span,) if how is not None else ()  # stands beside what is printed as a reference again
+    line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again, notes)
     if numbers and head is not None:
         draft._numbered(source, head, True)
     made = redyed(line, origin.lines, body.hues) if body.hues else list(line.rounds()) if midway else [line]
     made = turned_to(made, midway, first_number)
+    if how is not None and how.only is not None:
+        made = banded(list(line.rounds()), how, first_number)
     dyes = {i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"}
-    if body.hues and max(len(body.hues), len(dyes)) > 1:
+    if body.hues and how is None and max(len(body.hues), len(dyes)) > 1:
         message = "these yarns are taken in the order in which colours come there"
         source.doubt(message, "nothing is amiss", refers.span)
     if marked and not body.hues:
@@ -151,6 +167,17 @@ def allotted(draft: Draft, head: Head, refers: list[Refers]) -> list[Head | None
         return [None] * len(refers)
     ends = list(accumulate(many))
     return [replace(head, numbers=head.numbers[b - n : b]) for n, b in zip(many, ends, strict=True)]
+
+
+def _other_yarns(p: State, refers: Refers) -> Dye | None:
+    """What the sentence of a reference says of its yarns; told where they are not known."""
+    text, begin = p.source.text.text, refers.span.start
+    stop = _SENTENCE.search(text, refers.span.end, refers.span.end + _LONG)
+    how = dye(text[begin : stop.start() if stop else refers.span.end + _LONG], begin, p.palette)
+    if how is not None and how.unknown:
+        p.tell(NOT_UNDERSTOOD, "name yarns that the list of materials has", how.span)
+        return None
+    return how
 
 
 def _undyed(line: Line) -> Line:
