@@ -31,8 +31,8 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot, Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
-from tambour.crochet.model import stance
-from tambour.crochet.model.assemble import Piece
+from tambour.crochet.model import seating, stance
+from tambour.crochet.model.assemble import Piece, Put
 from tambour.crochet.model.bends import GENTLE, arched, heights, leaning, needed
 from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
 from tambour.crochet.model.coarse import coarse
@@ -44,12 +44,13 @@ from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, resized, roundness, short, tried
 from tambour.crochet.model.named import names
+from tambour.crochet.model.nudged import Rest, alike, nudged
 from tambour.crochet.model.painted import painted
-from tambour.crochet.model.posed import LEANED, Host, Poses, pair, poses
+from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, pair, poses
 from tambour.crochet.model.readable import cost, easy, followable, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, Thread, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
-from tambour.crochet.model.seating import Rest, alike, fitted, nudged, singly
+from tambour.crochet.model.seating import Seats, fitted, sought
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.threads import most
 from tambour.crochet.model.tips import Mirror, choose, facing, level, mirror, stands
@@ -628,7 +629,7 @@ def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:
     a = 0.4
     turn = np.array([[math.cos(a), -math.sin(a), 0.0], [math.sin(a), math.cos(a), 0.0], [0.0, 0.0, 1.0]])
     home = np.concatenate([body, arm, hand])
-    found, far, _ = nudged(pieces, home, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]))
+    found, far = nudged(pieces, home, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]))
     assert found[1, 0][0] == pytest.approx(turn.T, abs=1e-9)
     assert found[2, 0][0] == pytest.approx(np.eye(3), abs=1e-9) and found[2, 0][1] == pytest.approx(
         np.zeros(3), abs=1e-9
@@ -686,7 +687,7 @@ def test_a_part_is_sewn_where_and_as_all_of_it_lies_nearest(tilt: float, towards
         return poses(host, spot, frame.points[0], rod, want, out, 0.3)
 
     found = found_by(0.0)
-    assert found.best() == (spot, LEANED.index((int(tilt), int(towards))), 0)
+    assert found.best()[1] == (spot, LEANED.index((int(tilt), int(towards))), 0)
     # Where no words say it exactly, place and lean together come nearer than the nearest place and the nearest lean.
     tries = [found_by(more) for more in (4.0, 7.0, 11.0)]
     alone = [one.price[one.spots.index(spot), :, 0].min() for one in tries]
@@ -710,25 +711,57 @@ def test_a_pair_of_eyes_is_on_parts_of_one_kind_not_one_on_the_head_and_one_on_a
     assert [line.split(",")[0] for line in lines] == ["eye(Head"] * 2
 
 
-def test_one_piece_at_a_time_is_brought_home_the_worst_first_and_the_others_stay() -> None:
-    rng = np.random.default_rng(5)
-    host, arm, leg = (np.column_stack([rng.random((12, 2)), np.linspace(0.0, 9.0, 12)]) for _ in range(3))
+def test_each_part_keeps_the_best_place_it_had_and_in_the_end_all_are_sewn_on_so(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    x = np.zeros((4, 3))
+    tried: Any = SimpleNamespace(counts=[4])
+    bases = (None, np.zeros(3), np.ones(3))
+    parts = ("Body", "Arm", "Leg")
+    pieces = [Piece(Rounds(n, 4), tried, None, 0.0, (x,), (x,), (b,), ((0, 0),)) for n, b in zip(parts, bases)]  # type: ignore[arg-type]
+    off = {(1, 0): [0.9, 0.2, 0.8, 0.7, 0.6], (2, 0): [0.5, 0.6, 0.7, 0.1, 0.8]}
+    keys = tuple(off)
 
-    def piece(x: Array, base: Array | None, copies: int) -> Piece:
-        tried = SimpleNamespace(counts=[4, 4])
-        part = Rounds("Part", 4, copies=copies)
-        return Piece(part, tried, None, 0.0, (x,) * copies, (x,) * copies, (base,) * copies, ((0, 0),) * copies)  # type: ignore[arg-type]
+    def put(pieces: Any, nudges: Any, even: bool, fine: bool, stays: Any, had: Any) -> Put:
+        said = {
+            key: stays.get(key, Placed(pieces[key[0]].rounds.name, Spot("Body", float(len(had[key])), 1.0)))
+            for key in keys
+        }
+        return Put([f"{s.part} {s.spot.round}" for s in said.values()], x, said, dict.fromkeys(keys, 0.0))
 
-    pieces = [piece(host, None, 1), piece(arm, arm[-4:].mean(0), 1), piece(leg, leg[-4:].mean(0), 2)]
-    aside = np.array([1.0, 0.0, 0.0])
-    x = np.concatenate([host, arm + 0.5 * aside, leg, leg + 2.0 * aside])
-    still = {key: (np.eye(3), np.zeros(3)) for key in ((1, 0), (2, 0), (2, 1))}
-    found = singly(pieces, Rest(np.concatenate([host, arm, leg, leg]), x, 0.0, 0.0, []), still)
-    moved = [{key for key in still if np.abs(one[key][1]).max() > 1e-6} for one in found]
-    assert moved == [{(2, 1)}, {(1, 0)}] * 2
-    assert not any((0, 0) in one for one in found)
-    far, half = (abs(float(found[k][2, 1][1][0])) for k in (0, 2))
-    assert half == pytest.approx(0.5 * far) and found[0][2, 1][1][0] < 0.0
+    def rest(pieces: Any, lines: Any, first: Any, *_: Any) -> Rest:
+        at = [int(float(line.split()[1])) for line in lines]
+        now = {key: off[key][k] for key, k in zip(keys, at)}
+        return Rest(first, x, sum(now.values()), sum(now.values()), [], now)
+
+    monkeypatch.setattr(seating, "placed", put)
+    monkeypatch.setattr(seating, "rested", rest)
+    monkeypatch.setattr(
+        seating, "nudged", lambda *_: ({key: (np.eye(3), np.zeros(3)) for key in keys}, dict.fromkeys(keys, 0.0))
+    )
+    target: Any = None
+    seats = Seats(pieces, target, CrochetParams(), (5.0, 5.0))
+    seats.rest(put(pieces, {}, False, False, {}, {key: [] for key in keys}), {})
+    sought(seats, [(key,) for key in keys], None, 4)
+    assert {key: int(s.spot.round) for key, s in seats.best.put.said.items()} == {(1, 0): 1, (2, 0): 3}
+    assert seats.best.price == pytest.approx(0.3) and seats.had[-1] is seats.best
+    assert seats.way[:5] == pytest.approx([1.4, 0.8, 1.5, 0.8, 1.4])  # all at once, better or worse
+
+
+def test_ways_that_a_part_was_sewn_on_are_not_found_again() -> None:
+    rng = np.random.default_rng(3)
+    table = Poses((Spot("A", 3.0, 1.0), Spot("A", 3.5, 2.0)), rng.random((2, len(LEANED), 8)))
+    seen: list[float] = []
+    ways: list[tuple[Spot, float, float, float]] = []
+    for _ in range(5):
+        price, (spot, lean, turn) = table.but(ways, []).best()
+        seen.append(price)
+        ways.append((spot, *map(float, LEANED[lean]), float(WAYS[turn])))
+    assert seen == sorted(table.price.ravel())[:5]
+    # One that was not turned because no turn is seen was turned every way.
+    spot, tilt, towards, _ = ways[0]
+    left = table.but([(spot, tilt, towards, 0.0)], [float(w) for w in WAYS[1:]])
+    assert not np.isfinite(left.price[table.spots.index(spot), LEANED.index((int(tilt), int(towards)))]).any()
 
 
 def test_a_pair_is_sewn_on_in_one_round_leaning_as_each_others_image() -> None:
@@ -739,7 +772,7 @@ def test_a_pair_is_sewn_on_in_one_round_leaning_as_each_others_image() -> None:
     )
     found = pair(one, two)
     assert found is not None
-    (spot, lean, about), (other, way, across) = found
+    price, ((spot, lean, about), (other, way, across)) = found
     assert spot.round == other.round in (3.5, 4.0)
     assert LEANED[way] == (LEANED[lean][0], -LEANED[lean][1] % 360)
     cost = one.price[one.spots.index(spot), lean, about] + two.price[two.spots.index(other), way, across]
@@ -750,7 +783,7 @@ def test_a_pair_is_sewn_on_in_one_round_leaning_as_each_others_image() -> None:
         if a.round == b.round
         for k, (t, w) in enumerate(LEANED)
     )
-    assert cost == pytest.approx(least)
+    assert price == pytest.approx(cost) and cost == pytest.approx(least)
     assert pair(one, Poses((Spot("B", 9.0, 1.0),), two.price[:1])) is None
 
 

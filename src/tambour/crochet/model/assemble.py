@@ -68,13 +68,36 @@ Nudges = dict[Key, tuple[Array, Array]]
 """How a copy is aimed elsewhere than where it belongs: a turn (3, 3) and a shift (3,), in the model's frame."""
 
 
-def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> tuple[list[str], Array]:
-    """The lines, such as ``place(Arm.1, Body, round=17.5, stitch=8, tilt=60, towards=135)``, that sew every piece on, and where all
-    nodes (N, 3) are by them before anything gives way.
+@dataclass(frozen=True, eq=False, slots=True)
+class Put:
+    """Parts as they are sewn on, before anything gives way.
+
+    lines : what says so, such as ``place(Arm.1, Body, round=17.5, stitch=8, tilt=60, towards=135)``; x : (N, 3) all nodes
+    said : how every one is; likely : how far, in stitches, one lies off so, of those that were chosen by that
+    """
+
+    lines: list[str]
+    x: Array
+    said: dict[Key, Placed]
+    likely: dict[Key, float]
+
+
+def placed(
+    pieces: list[Piece],
+    nudges: Nudges,
+    even: bool,
+    fine: bool,
+    stays: dict[Key, Placed] | None = None,
+    had: dict[Key, list[Placed]] | None = None,
+) -> Put:
+    """Every piece sewn on.
 
     even : the model is its own mirror image, left and right, and so are the angles of a pair
     fine : places and angles as near as can be; else those that there are words for
+    stays : how those are sewn on that are not to be looked for; had : ways that are not to be found again, of a pair by its first
     """
+    stays, had = stays or {}, had or {}
+    likely: dict[Key, float] = {}
     spots = _spots(tuple(p.rounds for p in pieces))
     built, graph = spots.built, spots.built.graph
     alone = np.concatenate([p.tried.worked.x for p in pieces for _ in p.goals])
@@ -113,6 +136,9 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> tuple
             )
             plain = Placed(piece.name(c), spot)
             end = end_of(built, spots, plain)
+            if (k, c) in stays:
+                steps[k, c] = stays[k, c], end
+                continue
             frame = frame_of(joining, joined.x, plain, end, joined.upright, bodies_of(bodies, there.start))
             nodes = bodies_of(bodies, here.start)
             how = held(alone, nodes, end)
@@ -135,27 +161,32 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool, fine: bool) -> tuple
                 there_ = joined.x.copy()
                 there_[nodes] = want
                 out = vertex_normals(there_, graph.faces[built.shell])[nodes]
-                choice[k, c] = poses(host, spot, point, own, want, out, max(1.5, len(end.nodes) / (2.0 * math.pi)))
-                steps[k, c] = _posed(plain, choice[k, c].best()), end
+                found = poses(host, spot, point, own, want, out, max(1.5, len(end.nodes) / (2.0 * math.pi)))
+                ways = [(one.spot, one.tilt, one.towards, one.across) for one in had.get((k, c), [])]
+                same = unseen(alone, graph.faces[built.shell], nodes, how) if ways else []
+                choice[k, c] = found.but(ways, same)
+                likely[k, c], best = choice[k, c].best()
+                steps[k, c] = _posed(plain, best), end
             held_by[k, c] = nodes, how
         waiting = [key for key in waiting if key not in ready]
         standing |= set(ready)
         for k, c in ready:
-            if even and pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps:
-                found = pair(choice[k, 0], choice[k, 1]) if {(k, 0), (k, 1)} <= set(choice) else None
+            if even and pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps and (k, 0) not in stays:
+                both_ways = pair(choice[k, 0], choice[k, 1]) if {(k, 0), (k, 1)} <= set(choice) else None
+                if both_ways is not None:
+                    likely[k, 0] = likely[k, 1] = 0.5 * both_ways[0]
                 both = mirrored(steps[k, 0][0], steps[k, 1][0], fine)
                 for n, one in enumerate(both):
                     on = number[pieces[k].onto[n]]
                     spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round, fine=fine)
-                    said = replace(one, spot=spot) if found is None else _posed(one, found[n])
+                    said = replace(one, spot=spot) if both_ways is None else _posed(one, both_ways[1][n])
                     steps[k, n] = said, steps[k, n][1]
         for key, (nodes, how) in held_by.items():
             said, end = steps[key]
             steps[key] = eased(said, graph.faces[built.shell], alone, nodes, how, key not in choice), end
         held_by.clear()
-    return [_line(said) for said, _ in steps.values()], join(
-        Joining(built, spots, tuple(steps.values()), ()), alone, bodies
-    ).x
+    x = join(Joining(built, spots, tuple(steps.values()), ()), alone, bodies).x
+    return Put([_line(said) for said, _ in steps.values()], x, {key: said for key, (said, _) in steps.items()}, likely)
 
 
 @lru_cache(maxsize=4)
@@ -193,15 +224,25 @@ def eased(said: Placed, faces: Array, x: Array, nodes: Array, how: Held, leans: 
     off = x[nodes] - how.middle
     if leans and float(np.abs(dot(off, how.axis)).mean()) * math.sin(math.radians(said.tilt)) < UNSEEN:
         said = replace(said, tilt=0.0, towards=0.0)
+    return replace(said, across=0.0) if unseen(x, faces, nodes, how, (said.across,)) else said
+
+
+def unseen(x: Array, faces: Array, nodes: Array, how: Held, turns: tuple[float, ...] = WAYS) -> list[float]:
+    """Those of the ``turns`` of a part about itself, in degrees, that nobody would see.
+
+    faces (F, 3), x (N, 3) : all parts; nodes : its own; how : it is held
+    """
     own = faces[np.isin(faces[:, 0], nodes)]
-    if said.across and len(own):
-        side = np.cross(how.axis, how.front)
-        a, b, c = (dot(off, way)[:, None] for way in (how.axis, how.front, side))
-        cos, sin = math.cos(math.radians(said.across)), math.sin(math.radians(said.across))
+    if not len(own):
+        return []
+    off, side, found, by = x[nodes] - how.middle, np.cross(how.axis, how.front), [], tree(x, own)
+    a, b, c = (dot(off, way)[:, None] for way in (how.axis, how.front, side))
+    for turn in turns:
+        cos, sin = math.cos(math.radians(turn)), math.sin(math.radians(turn))
         turned_ = how.middle + a * how.axis + (cos * b - sin * c) * how.front + (sin * b + cos * c) * side
-        if float(nearest(tree(x, own), turned_)[2].mean()) < UNSEEN:
-            said = replace(said, across=0.0)
-    return said
+        if turn and float(nearest(by, turned_)[2].mean()) < UNSEEN:
+            found.append(turn)
+    return found
 
 
 def _leans(tilt: float, towards: float, fine: bool) -> tuple[float, float]:

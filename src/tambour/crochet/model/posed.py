@@ -37,10 +37,21 @@ class Poses:
     spots: tuple[Spot, ...]
     price: Array
 
-    def best(self) -> tuple[Spot, int, int]:
-        """The spot, the number of the lean and that of the turn about itself that are best."""
+    def best(self) -> tuple[float, tuple[Spot, int, int]]:
+        """The least price, and the spot, the number of the lean and that of the turn about itself that have it."""
         s, k, a = np.unravel_index(int(self.price.argmin()), self.price.shape)
-        return self.spots[s], int(k), int(a)
+        return float(self.price[s, k, a]), (self.spots[s], int(k), int(a))
+
+    def but(self, ways: list[tuple[Spot, float, float, float]], alike: list[float]) -> Poses:
+        """The same without some ``ways``: the spot, tilt, towards and the turn about itself, in degrees, of each; nor, where that is 0,
+        with the turns that are ``alike`` to none."""
+        price = self.price.copy()
+        for spot, tilt, towards, across in ways:
+            lean = int(tilt), int(towards)
+            if spot in self.spots and lean in LEANED:
+                turns = [WAYS.index(int(turn)) for turn in ([across] if across else [across, *alike])]
+                price[self.spots.index(spot), LEANED.index(lean), turns] = np.inf
+        return Poses(self.spots, price)
 
     def at(self, number: float) -> tuple[Array, Array]:
         """For every lean (L,), what it costs at the best in round ``number``, and the spot and the turn (L, 2) that do it."""
@@ -138,8 +149,9 @@ def _prices(host: Host, point: Array, off: Array, room: float) -> Array:
     return np.asarray(price)
 
 
-def pair(one: Poses, two: Poses) -> tuple[tuple[Spot, int, int], tuple[Spot, int, int]] | None:
-    """The best ways to sew on a pair, in the same round, leaning as each other's mirror image; None where they share no round."""
+def pair(one: Poses, two: Poses) -> tuple[float, tuple[tuple[Spot, int, int], tuple[Spot, int, int]]] | None:
+    """The best ways to sew on a pair, in the same round, leaning as each other's mirror image, and the price of both; None where they share
+    no round."""
     image = [LEANED.index((tilt, -towards % 360)) for tilt, towards in LEANED]
     best: tuple[float, tuple[Spot, int, int], tuple[Spot, int, int]] | None = None
     for number in sorted({s.round for s in one.spots} & {s.round for s in two.spots}):
@@ -149,4 +161,4 @@ def pair(one: Poses, two: Poses) -> tuple[tuple[Spot, int, int], tuple[Spot, int
         if best is None or both[k] < best[0]:
             (s, a), (t, b) = how[k], way[image[k]]
             best = float(both[k]), (one.spots[s], k, int(a)), (two.spots[t], image[k], int(b))
-    return None if best is None else best[1:]
+    return None if best is None else (best[0], best[1:])

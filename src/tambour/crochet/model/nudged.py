@@ -1,0 +1,156 @@
+"""Nudged: how sewn parts give way as they come to rest together, how far off they lie, and where they are aimed against that."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.finish.joining import clashes, prepare
+from tambour.crochet.model.assemble import Key, Nudges, Piece
+from tambour.crochet.model.distance import Target, distance
+from tambour.crochet.model.posed import ALONG
+from tambour.crochet.model.rounds import pattern
+from tambour.crochet.model.settled import together
+from tambour.crochet.model.tips import Mirror
+from tambour.geometry.crossed import crossed
+from tambour.geometry.motion import dot, fit, length, turned
+from tambour.geometry.surface import vertex_normals
+
+if TYPE_CHECKING:
+    from tambour.crochet.language.finishes import Placed
+    from tambour.crochet.params import CrochetParams
+
+CLASH = 0.03
+"""How much farther off, in stitches, a toy may be for two seams that are not in each other's way."""
+CROSSED, RESTLESS = 8.0, 0.05
+"""The same for fabric that does not pass through itself, times the share of it that does; and for a toy that comes to rest."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Rest:
+    """Parts sewn on and at rest together. first, x : (N, 3) as they were put, and at rest; far : the mean distance from the model;
+    price : that and what else is wrong; crowd : whose seams are in each other's way; off : how far each part that is sewn on lies off,
+    against what it is sewn to, and what else is wrong with it."""
+
+    first: Array
+    x: Array
+    far: float
+    price: float
+    crowd: list[tuple[Placed, Placed]]
+    off: dict[Key, float]
+
+
+def rested(
+    pieces: list[Piece],
+    lines: list[str],
+    first: Array,
+    target: Target,
+    params: CrochetParams,
+    stitch: tuple[float, float],
+) -> Rest:
+    """The pieces sewn on as ``lines`` say, which put them at ``first`` (N, 3), at rest."""
+    built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+    goal = np.concatenate([g for p in pieces for g in p.goals])
+    far = distance(target, x, faces, fit(x, goal, np.ones(len(x)))).mean
+    joining = prepare(built)
+    assert joining is not None
+    crowd = clashes(joining)
+    through = crossed(x, faces)
+    price = far + CLASH * len(crowd) + CROSSED * len(through) / len(faces) + (0.0 if rests else RESTLESS)
+    return Rest(first, x, far, price, crowd, missing(pieces, x, faces[:, 0], faces[through, 0], crowd))
+
+
+def missing(
+    pieces: list[Piece], x: Array, seen: Array, through: Array, crowd: list[tuple[Placed, Placed]]
+) -> dict[Key, float]:
+    """How far off, in stitches, every part lies that is sewn on, at rest at x (N, 3), against what it is sewn to (which may itself not lie
+    where it belongs yet): the root of the mean square, along the fabric by less than across it; more where its fabric passes
+    through other, as a share of its own, or its seam is in another's way.
+
+    seen, through : (K,) a node of every face that is seen, and of those that others pass through
+    """
+    span, made = spans(pieces), dict[Key, float]()
+    for (k, c), own in span.items():
+        piece, on = pieces[k], pieces[k].onto[c]
+        if piece.bases[c] is None:
+            continue
+        goal = piece.lain[c]
+        miss = against(x, own, span[on], pieces[on[0]].lain[on[1]]) - goal
+        across = dot(miss, vertex_normals(goal, piece.tried.worked.graph.faces))
+        far = math.sqrt(float((across**2 + ALONG * (miss**2).sum(1)).mean()))
+        faces, bad = (int(((nodes >= own.start) & (nodes < own.stop)).sum()) for nodes in (seen, through))
+        crowded = sum(piece.name(c) in (one.part, other.part) for one, other in crowd)
+        made[k, c] = far + CROSSED * bad / max(faces, 1) + CLASH * crowded * len(x) / len(goal)
+    return made
+
+
+def spans(pieces: list[Piece]) -> dict[Key, slice]:
+    """Where the nodes of every copy lie among those of all."""
+    keys = [(k, c) for k, p in enumerate(pieces) for c in range(len(p.goals))]
+    ends = np.cumsum([len(pieces[k].goals[c]) for k, c in keys]).tolist()
+    return {key: slice(end - len(pieces[key[0]].goals[key[1]]), end) for key, end in zip(keys, ends)}
+
+
+def against(x: Array, own: slice, on: slice, host: Array) -> Array:
+    """Where a part's nodes, ``own`` of x (N, 3), are once what it is sewn to, ``on``, lies at ``host``."""
+    turn, shift = fit(x[on], host, np.ones(len(host)))
+    return turned(x[own], turn) + shift
+
+
+def between(one: tuple[Array, Array] | None, other: tuple[Array, Array], step: float) -> tuple[Array, Array]:
+    """A nudge ``step`` of the way from one (None: none) to another."""
+    turn, shift = (np.eye(3), np.zeros(3)) if one is None else one
+    return turned(turn.T, share(turned(other[0], turn), step)).T, shift + step * (other[1] - shift)
+
+
+def nudged(pieces: list[Piece], first: Array, x: Array) -> tuple[Nudges, dict[Key, float]]:
+    """Where parts are to be aimed next, so that they come to rest where they belong: as fabric gives way they come to lie elsewhere
+    than they were put, and will so again. Also how far out along itself each one lies.
+
+    first, x : (N, 3) all parts as they were put, and at rest together
+    """
+    span = spans(pieces)
+    made: Nudges = {}
+    far = dict.fromkeys(span, 0.0)
+    for k, c in span:
+        base, goal, on = pieces[k].bases[c], pieces[k].lain[c], pieces[k].onto[c]
+        if base is None:
+            continue
+        host = pieces[on[0]].lain[on[1]]
+        put, own = (against(at, span[k, c], span[on], host) for at in (first, x))
+        rim = len(goal) - pieces[k].tried.counts[-1]
+        out = goal[0] - goal[rim:].mean(0)
+        out = out / max(float(length(out)), 1e-9)
+        at_end, whole = (float(dot(own[n].mean(0) - goal[n].mean(0), out)) for n in (slice(rim, None), slice(None)))
+        far[k, c] = min(at_end, max(whole, 0.0))
+        turn, shift = fit(put, own, np.ones(len(goal)))
+        made[k, c] = turn.T, turned(base - shift, turn.T) - base
+    return made, far
+
+
+def alike(pieces: list[Piece], nudges: Nudges, plane: Mirror) -> Nudges:
+    """The nudges with those of every pair as each other's mirror image: half of what one wants and half of what the other does."""
+    made = dict(nudges)
+    for k, piece in enumerate(pieces):
+        if piece.rounds.copies == 2 and (k, 1) in nudges:
+            (turn, shift), (other, to) = nudges[k, 0], plane.moved(*nudges[k, 1])
+            mean = turned(turn.T, share(turned(other, turn), 0.5)).T, 0.5 * (shift + to)
+            made[k, 0], made[k, 1] = mean, plane.moved(*mean)
+    return made
+
+
+def share(turn: Array, part: float) -> Array:
+    """A ``part``, 0 to 1, of a turn (3, 3) about its own axis."""
+    angle = math.acos(float(np.clip((np.trace(turn) - 1.0) / 2.0, -1.0, 1.0)))
+    skew = turn - turn.T
+    axis = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
+    size = float(length(axis))
+    if size < 1e-9:
+        return turn if part >= 1.0 else np.eye(3)
+    n = axis / size
+    cross = np.array([[0.0, -n[2], n[1]], [n[2], 0.0, -n[0]], [-n[1], n[0], 0.0]])
+    return np.asarray(np.eye(3) + math.sin(part * angle) * cross + (1.0 - math.cos(part * angle)) * (cross @ cross))
