@@ -13,7 +13,7 @@ import pytest
 
 from tambour.core import threads
 from tambour.core.errors import Text
-from tambour.core.graph import JOIN, ROOT, SEWN, StitchGraph
+from tambour.core.graph import JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.core.strands import Strands
@@ -677,3 +677,41 @@ def test_an_end_that_is_sewn_is_not_slipped_in() -> None:
     graph = made.built.graph
     ends = edges.slipped(graph, lead.roles(graph))
     assert [int(graph.part[i]) for i in ends] == [1]
+
+
+def crossings(led: lead.Way, i: int) -> int:
+    """How many times the yarn of stitch ``i`` crosses the middle of its height, outside."""
+    at = led.at[led.cell == i]
+    return int(((np.diff(at[:, 1] > 0.45)) & (at[1:, 2] > 0.15) & (at[:-1, 2] > 0.15)).sum())
+
+
+def test_a_decrease_in_rounds_shows_one_v_and_in_rows_two_loops() -> None:
+    """It was two loops side by side in rounds too, which makers of toys avoid: every decrease was a heap of four legs."""
+    for words, wanted in (
+        (": MR(6)\n: 6 inc\n: 12 sc\n: [sc, dec] x 4\n", 2),
+        (": 9 ch, turn\n: 8 sc, turn, ch\n: 4 dec\n", 4),
+    ):
+        graph, _ = piece(words)
+        led = lead.way(graph)
+        double = np.flatnonzero((np.diff(graph.anchor_offsets) == 2) & (graph.height < 1.3) & (graph.peculiarity == 0))
+        assert len(double) == 4
+        assert [crossings(led, i) for i in double.tolist()] == [wanted] * 4
+    plain = np.flatnonzero(np.diff(graph.anchor_offsets) == 1)
+    assert crossings(led, int(plain[3])) == 2
+
+
+def test_a_closed_end_is_drawn_together() -> None:
+    """The heads of its last round stood about a hole that the yarn's end lay in as a ring: a swirl in the middle of a crown."""
+    made = make(Text((folder() / "crochet" / "ball.acl").read_text()), CrochetParams(), Progress())
+    graph, x, yarn = made.built.graph, made.positions, made.yarn
+    tip = int(np.flatnonzero(graph.peculiarity == TIP)[0])
+    last = graph.anchors[graph.anchor_offsets[tip] : graph.anchor_offsets[tip + 1]]
+    out = x[tip] - x.mean(0)
+    out /= np.sqrt(out @ out)
+    off = (yarn.paths.coords - x[tip]) / graph.stitch_width
+    high = off @ out
+    far = np.sqrt(((off - high[:, None] * out) ** 2).sum(1))
+    own = np.isin(yarn.point_data["stitch"], last) & (far < 2.0)
+    assert np.quantile(far[own], 0.1) < 0.5 and np.quantile(far[own], 0.3) < 0.9
+    # What is nearest to the middle lies no higher than the legs about it: nothing is wound about it outside.
+    assert high[far < 0.7].max() < np.quantile(high[own & (far > 0.8) & (far < 1.4)], 0.9) + 0.1

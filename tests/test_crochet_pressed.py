@@ -12,8 +12,9 @@ from tambour.core.progress import Progress
 from tambour.core.strands import Strands
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
+from tambour.crochet.yarn.fabric import GROOVE, LAY
 from tambour.crochet.yarn.pressed import FULLER, LEAST, pressed
-from tambour.geometry.tube import sweep
+from tambour.geometry.tube import MEAN, sweep
 
 SIDES = 24
 
@@ -98,3 +99,24 @@ def test_in_a_toy_no_yarn_goes_through_yarn(monkeypatch: pytest.MonkeyPatch) -> 
     assert (after > 0.1).mean() < 0.01
     monkeypatch.setattr(threads, "WORKERS", 1)
     np.testing.assert_array_equal(many, pressed(made, swept, 10, 1.6))
+
+
+def test_plies_are_seen_where_yarn_is_pressed() -> None:
+    """Each corner was pressed for itself: where strands lie against each other the grooves between plies were pressed away, and legs were smooth."""
+    made = strands(line(0.0), line(1.2))
+    swept = sweep(made, sides=48, plies=4, groove=GROOVE, lay=LAY).vertices
+    ridge = 1.0 + GROOVE * (1.0 - MEAN)
+    after = pressed(made, swept, 48, 1.0, ridge)
+    free = pressed(
+        strands(line(0.0)),
+        sweep(strands(line(0.0)), sides=48, plies=4, groove=GROOVE, lay=LAY).vertices,
+        48,
+        1.0,
+        ridge,
+    )
+    rings = [v[1 + 48 * 5 : 1 + 48 * 45].reshape(40, 48, 3)[..., 1:] for v in (after, free)]
+    size = [np.hypot(ring[..., 0], ring[..., 1]) for ring in rings]
+    towards = rings[0][..., 0] > 0.9 * size[0]
+    depth = [float(np.ptp(each[towards]) / each[towards].max()) for each in size]
+    assert size[0][towards].max() < 0.65 < size[1][towards].max()
+    assert depth[0] > 0.9 * depth[1] > 0.1

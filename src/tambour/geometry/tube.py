@@ -12,9 +12,9 @@ from tambour.core.kernels import kernel
 from tambour.core.mesh import Mesh
 from tambour.core.strands import Strands
 
-SOFT = 0.2
+SOFT = 0.1
 """How round the bottom of the groove between plies is: fibres fill it, and a sharp one is a crease."""
-FLOOR, RISE, MEAN = sqrt(SOFT), sqrt(1.0 + SOFT) - sqrt(SOFT), 0.553
+FLOOR, RISE, MEAN = sqrt(SOFT), sqrt(1.0 + SOFT) - sqrt(SOFT), 0.568
 """Where such a bottom lies and how far a ply rises over it, before both are scaled to be as deep as asked; and its mean height, of 1."""
 
 

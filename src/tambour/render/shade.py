@@ -18,7 +18,8 @@ FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE, TILES = rang
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.08  # how much lighter and darker single fibres are: more, and wool looks carved
-SOFT = 0.2  # how round the bottom of the groove between plies is
+SOFT = 0.08  # how round the bottom of the groove between plies is
+DARK, DARKEST = 2.4, 0.75  # how much of the light the groove between plies keeps out, for its depth, and at the most
 
 
 @kernel
@@ -195,8 +196,9 @@ def shade(
                             n[0] -= steep * sx_
                             n[1] -= steep * sy_
                             n[2] -= steep * sz_
-                            crease = max(0.0, 1.0 - ridge) if plies > 0.0 else 0.0
-                            occlude = 1.0 - 1.1 * table[m, GROOVE] * crease * (0.35 + 0.65 * crease)
+                            # Little light gets down between two plies: a thin dark line, as deep as they are round.
+                            crease = 1.0 - abs(ripple) if plies > 0.0 else 0.0
+                            occlude = 1.0 - min(DARKEST, DARK * table[m, GROOVE]) * crease * crease * sqrt(crease)
                             if fibre > 0.0:
                                 # Fibres finer than a sample are not seen one by one.
                                 wide = len(fleece)

@@ -47,8 +47,10 @@ STEP = 0.75
 DRAWN, BEYOND = 0.7, 0.15
 """How far the chains that turn a row are drawn in towards its first stitch, as a share of how far they stand out; how far, in
 widths, they still do at the most."""
-DOMES, DOME = (0.28, 0.56), 2.4
+DOMES, DOME = (0.28, 0.36), 2.4
 """How far a ring's and a tip's middle is pushed out, and over how far about it that falls off; in widths."""
+GATHERED = 0.55
+"""How far the heads of a last round are drawn in to its tip, as a share of how far they are from it."""
 STOUT = 24
 """Parts of fewer stitches around are limbs, whose ends are round by themselves."""
 ARCHED = 0.5
@@ -181,6 +183,16 @@ def domed(graph: StitchGraph, x: Array) -> Array:
             bent = 1.0 - float(np.median(normal[own][around] @ normal[pole]))
             high = DOMES[int(graph.peculiarity[pole] == TIP)] * min(1.0, max(0.0, bent / 0.08 - 0.25))
             made[own] += high * width * np.exp(-((far / DOME) ** 2))[:, None] * normal[own]
+    return made
+
+
+def gathered(graph: StitchGraph, x: Array) -> Array:
+    """Positions (N, 3) with the last round drawn together where it is closed: the yarn's end goes through its heads and is pulled tight,
+    so that no hole is left, and its stitches lie there like those of a ring."""
+    made = x.copy()
+    for t in np.flatnonzero(graph.peculiarity == TIP).tolist():
+        last = graph.anchors[graph.anchor_offsets[t] : graph.anchor_offsets[t + 1]]
+        made[last] += GATHERED * (x[t] - x[last])
     return made
 
 

@@ -28,8 +28,8 @@ _FAR = np.array([(0.0, 0.75, -0.50), (0.0, 0.25, -0.48)])
 _MIDDLE = np.array([(0.0, 1.0, -0.30)])
 _RING = np.array([(-0.2, 0.15, -0.15)])
 _ROUND = np.array([(-0.25, 0.22, 0.0), (0.05, 0.24, 0.02), (0.42, 0.22, 0.0)])
-_GATHER = np.array([(0.3, 0.5, 0.1), (0.75, 0.5, 0.1)])
-_CLOSE = np.array([(0.2, 0.85, 0.0), (0.2, 1.0, -0.5), (0.2, 0.9, -1.2)])
+_GATHER = np.array([(0.3, 0.3, -0.2), (0.75, 0.3, -0.2)])
+_CLOSE = np.array([(0.2, 0.8, -0.3), (0.2, 1.0, -0.7), (0.2, 0.9, -1.2)])
 
 OPEN = 1.3
 """A magic ring of stitches as high as this stays open: its end is woven in behind them, and does not cross it."""

@@ -15,7 +15,7 @@ from tambour.core.threads import share
 from tambour.crochet.yarn import points
 from tambour.crochet.yarn.clearance import ALONG, clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
-from tambour.crochet.yarn.edges import arched, domed, eased, level
+from tambour.crochet.yarn.edges import arched, domed, eased, gathered, level
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
@@ -25,7 +25,7 @@ from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.crochet.yarn.upright import upright
 from tambour.geometry.motion import length
-from tambour.geometry.tube import sweep
+from tambour.geometry.tube import MEAN, sweep
 from tambour.noise import stream
 
 OUT = 0.55
@@ -76,7 +76,7 @@ def strands(
     led = way(graph, hold)
     role = roles(graph)
     x = eased(graph, x, role, *leaning(graph, LEAN[hold]))
-    x = domed(graph, arched(graph, level(graph, x, role), role))
+    x = gathered(graph, domed(graph, arched(graph, level(graph, x, role), role)))
     rows = course(graph, x, LEAN[hold])
     at = upright(_varied(led), led, graph, rows, hold)
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
@@ -226,12 +226,12 @@ def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
     coords[run] = foot + turned + np.clip(2.0 * far / wide - 0.4, 0.0, 1.0)[:, None] * (fallen - turned)
 
 
-def _spun(made: Strands) -> Strands:
-    """Yarn as thick and thin as spinning leaves it."""
+def _spun(made: Strands, full: float) -> Strands:
+    """Yarn as thick and thin as spinning leaves it, ``full`` times as thick."""
     n = len(made.radius)
     rough = stream("spun").uniform(-1.0, 1.0, n // SLUB + 2)
     return replace(
-        made, radius=made.radius * (1.0 + THIN * np.interp(np.arange(n) / SLUB, np.arange(len(rough)), rough))
+        made, radius=full * made.radius * (1.0 + THIN * np.interp(np.arange(n) / SLUB, np.arange(len(rough)), rough))
     )
 
 
@@ -241,18 +241,22 @@ NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
 SLUB, THIN = 9, 0.07
 """Yarn grows thicker and thinner every so many points, by so much of its radius."""
+GROOVE = 0.2
+"""How deep the plies of such yarn lie apart in its outline, in radii drawn."""
 WANDER = 0.09
 """Yarn is twisted more and less along its way, by so many turns."""
+SWOLLEN = 1.08
+"""Spun yarn that gives way to its neighbours is drawn so much thicker: legs of Vs touch, and leave no web of heads to be seen between them."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 13.0
+LAY = 9.5
 """Radii along which plies wind once about the yarn: they lie 26 degrees to its way. At 7.5 it was 40, and one leg of a V, which leans
 against the twist, showed them lying along it (smooth) and the other across it (a corkscrew): no two legs were alike."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
-UNEVEN, DRIFT, HELD = 0.042, 0.115, 6
+UNEVEN, DRIFT, HELD = 0.036, 0.09, 6
 """How far single stitches lie out of line, in widths, and how far several do, of about as many: hands are not machines."""
 
 
@@ -272,7 +276,10 @@ def mesh(
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
         data = {name: values[of.astype(np.int64)] for name, values in made.point_data.items()}
         # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
-        made = _spun(replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data=data))
+        made = _spun(
+            replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data=data),
+            SWOLLEN if kind.plies else 1.0,
+        )
     if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
         # As many rings as its plies ask for: with fewer their lobes are cut to facets where the yarn runs straight.
         coords, ends, of = points.dense(
@@ -282,11 +289,13 @@ def mesh(
         plies, sides = kind.plies, 20
     else:
         plies, sides = 0, SIDES[detail]
-    yarn = sweep(made, sides=sides, lay=LAY, plies=plies, groove=0.13, wander=WANDER, material=kind.surface)
+    yarn = sweep(made, sides=sides, lay=LAY, plies=plies, groove=GROOVE, wander=WANDER, material=kind.surface)
     if detail in ("near", "photo") and kind.plies:
         # Pile and halo lie in each other; spun yarn gives way.
         along = ALONG * graph.stitch_width * RATIO
-        yarn = replace(yarn, vertices=pressed(made, yarn.vertices, sides, along))
+        yarn = replace(
+            yarn, vertices=pressed(made, yarn.vertices, sides, along, 1.0 + GROOVE * (1.0 - MEAN) if plies else 1.0)
+        )
     inner = lining(graph, positions, graph.stitch_width)
     every = (yarn, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])

@@ -117,12 +117,24 @@ def roles(graph: StitchGraph) -> Array:
     return role
 
 
+def invisible(graph: StitchGraph, role: Array) -> Array:
+    """Decreases (N,) of single crochets in rounds: makers of toys draw one loop through the front strands of both stitches, and it
+    looks like any other V; in turned rows each stitch has a loop of its own."""
+    first, count = graph.anchor_offsets[:-1], np.diff(graph.anchor_offsets)
+    made = (role == STITCH) & (count > 1) & (graph.height < 1.3)
+    i = np.flatnonzero(made)
+    a, b = graph.anchors[first[i]], graph.anchors[first[i] + count[i] - 1]
+    made[i] = (a != b) & (graph.direction[a] == graph.direction[i]) & (role[a] == STITCH) & (count[i] < 4)
+    return np.asarray(made)
+
+
 def way(graph: StitchGraph, hold: str = "over") -> Way:
     """The way of the yarn through a graph; hold : how it lies on the hook, over or under."""
     n = len(graph)
     role = roles(graph)
     count = np.zeros(n, np.int64)
-    count_points(role, graph.anchor_offsets, graph.height, count)
+    drawn = invisible(graph, role)
+    count_points(role, graph.anchor_offsets, graph.height, drawn, count)
     start = np.concatenate([[0], np.cumsum(count)])
     total = int(start[-1])
     cell, below, at = np.zeros(total, np.int32), np.zeros(total, np.int32), np.zeros((total, 3))
@@ -144,9 +156,11 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         graph.anchors,
         graph.anchor_offsets,
         graph.height,
-        np.where(ring, 0, graph.loop.astype(np.int64)) + len(courses) // 2 * loose,
+        np.where(ring, 0, np.where(drawn & (graph.loop == 0), 1, graph.loop.astype(np.int64)))
+        + len(courses) // 2 * loose,
         ridge,
         sunk,
+        drawn,
         courses,
         chain,
         *_shapes(graph),

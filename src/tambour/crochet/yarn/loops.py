@@ -118,6 +118,9 @@ def tables(hold: str) -> tuple[Array, Array]:
 SUNK: Final = (0.1, 0.1)
 """How far down and in the front strand of a head is drawn that lies before a decrease: no loop covers it."""
 
+ASTRIDE: Final = 0.12
+"""How much further apart, each, the legs of a loop stand that is drawn through two stitches."""
+
 POST, NARROW = 0.13, 0.5
 """Where a tall stitch's post stands, and how far apart the legs of a tall stitch stand, as a share of a single crochet's."""
 
@@ -135,13 +138,13 @@ def _stories(height: float) -> int:
 
 
 @kernel
-def count_points(role: I1x1, offsets: I8x1, height: F8x1, out: I8x1) -> None:
-    """Fill ``out`` (N,): control points of every node's stretch of yarn."""
+def count_points(role: I1x1, offsets: I8x1, height: F8x1, drawn: B1x1, out: I8x1) -> None:
+    """Fill ``out`` (N,): control points of every node's stretch of yarn. drawn : (N,) see :func:`lead`."""
     for i in range(len(role)):
         if role[i] == 2:
             out[i] = 4 + 46 - HEAD
         elif role[i] == 1:
-            loops = offsets[i + 1] - offsets[i] + _stories(height[i]) - 1
+            loops = (1 if drawn[i] else offsets[i + 1] - offsets[i]) + _stories(height[i]) - 1
             out[i] = 5 + 14 * loops + 27
         else:
             out[i] = 0
@@ -167,6 +170,7 @@ def lead(
     table_of: I8x1,
     ridge: I1x1,
     sunk: B1x1,
+    drawn: B1x1,
     tables: F8x3,
     chain: F8x2,
     deep: F8x1,
@@ -182,6 +186,7 @@ def lead(
     table_of : (N,) which of ``tables`` (K, 46, 3) is the course by the loops worked under, 0 being both, and by whether its head is LOOSE
     ridge : (N,) whether a stitch above leaves this one's front strand (1) or its back one (-1) free; sunk : (N,) whether its head is drawn in, since
     the loops of a decrease lean away from it; chain : (27, 3), of a chain
+    drawn : (N,) whether all its anchors are taken up by one loop, drawn through them together: an invisible decrease
     deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
     out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side; lean : of the tables
     """
@@ -200,16 +205,19 @@ def lead(
         part = high / stories
         table = tables[table_of[i]]
         begin = p
+        # One loop comes out in the middle of all that it is drawn through.
+        loops = 1 if drawn[i] else last - first
+        middle = 0.5 * (last - first - 1) if drawn[i] else 0.0
         bulging = last - first > 1 and anchors[first] == anchors[last - 1]
         for k in range(5):
             cell[p], below[p] = i, anchors[first]
             at[p, 0], at[p, 1], at[p, 2] = table[k, 0], _stretched(table[k, 1], high - 1.0), table[k, 2]
             p += 1
-        for number in range(last - first + stories - 1):
-            story = max(0, number - (last - first) + 1)
+        for number in range(loops + stories - 1):
+            story = max(0, number - loops + 1)
             use = table if story == 0 else tables[0]
             # The loops of a decrease lie side by side under one top loop.
-            beside = 0.0 if last - first == 1 else (number + 0.5) / (last - first) - 0.5
+            beside = 0.0 if loops == 1 else (number + 0.5) / loops - 0.5
             for k in range(5, 19):
                 u, v, w = use[k, 0], use[k, 1], use[k, 2]
                 if stories > 1 and not bulging:
@@ -226,7 +234,7 @@ def lead(
                     out = math.sin(math.pi * t) * bump[i]
                     u = 0.1 + 0.6 * (u - 0.1) + 0.75 * abs(out) * math.sin(2.4 * beside)
                     w = w + out * (0.35 + 0.65 * math.cos(2.4 * beside))
-                elif v > 0.3 and story == 0 and last - first > 1:
+                elif v > 0.3 and story == 0 and loops > 1:
                     # Wide below, where each stands in its own hole.
                     aside = 0.3 + 0.6 * max(0.0, 1.0 - abs(v / part - 0.5) / 0.35)
                     u, v, w = u + aside * beside, v - 0.1 * (0.5 - beside), w - 0.2 * (0.5 - beside)
@@ -252,6 +260,13 @@ def lead(
                 at[p, 1] -= SUNK[0]
                 at[p, 2] -= SUNK[1]
             p += 1
+        if middle > 0.0:
+            for q in range(begin, p):
+                low = max(0.0, 1.0 - at[q, 1] / high) if at[q, 1] > 0.0 else 1.0
+                # Its legs stand a little further apart below: it is about two heads.
+                aside = ASTRIDE if at[q, 0] > 0.12 else -ASTRIDE
+                outside = min(1.0, max(0.0, (at[q, 2] - 0.1) / 0.15))
+                at[q, 0] += low * ((middle if below[q] == anchors[first] else -middle) + outside * aside)
         if deep[i] != 0.0 or relief[i] != 0.0:
             for q in range(begin, p):
                 v = at[q, 1]

@@ -53,6 +53,7 @@ def _press(
     first: I4x1,
     beside: I4x1,
     sides: int,
+    ridge: float,
     begin: int,
     end: int,
     vertices: F8x2,
@@ -60,8 +61,9 @@ def _press(
     """Move the vertices of the rings of points ``begin`` to ``end``: none further out than half way to another strand.
 
     ring : (P,) the first vertex of each point's ring, or -1; first, beside : the segments near each segment
+    ridge : how far out, in radii, the plies of a ring stand. They are pressed as one, and lie as deep between them as before
     """
-    room, wide, way = np.zeros(sides), np.zeros(sides), np.zeros((sides, 3))
+    room, wide, way, wave = np.zeros(sides), np.zeros(sides), np.zeros((sides, 3)), np.zeros(sides)
     m = np.zeros(3)
     for i in range(begin, end):
         if ring[i] < 0:
@@ -74,6 +76,8 @@ def _press(
             wide[k], room[k] = sqrt(size), 1e9
             for c in range(3):
                 way[k, c] /= max(wide[k], 1e-12)
+            wave[k] = wide[k] / (ridge * radius[i])
+            wide[k] = ridge * radius[i]
         touched = False
         for own in range(max(i - 1, 0), i + 1):
             for at in range(first[own], first[own + 1]):
@@ -115,13 +119,13 @@ def _press(
             w = fuller * wide[k]
             left = max(LEAST * wide[k], w / (1.0 + (w / room[k]) ** SHOULDER) ** (1.0 / SHOULDER))
             for c in range(3):
-                vertices[ring[i] + k, c] = coords[i, c] + left * way[k, c]
+                vertices[ring[i] + k, c] = coords[i, c] + wave[k] * left * way[k, c]
 
 
-def pressed(made: Strands, vertices: Array, sides: int, along: float) -> Array:
+def pressed(made: Strands, vertices: Array, sides: int, along: float, ridge: float = 1.0) -> Array:
     """The vertices of :func:`tambour.geometry.tube.sweep`'s tubes of strands, with ``sides`` corners, pressed against each other.
 
-    along : mm, stretches of one strand nearer to each other along it do not press
+    along : mm, stretches of one strand nearer to each other along it do not press; ridge : radii that plies stand out to
     """
     coords, ends = made.paths.coords, np.asarray(made.paths.offsets)
     near = pairs(coords, ends, 2.0 * float(made.radius.max(initial=0.0)), along)
@@ -140,6 +144,6 @@ def pressed(made: Strands, vertices: Array, sides: int, along: float) -> Array:
     share(
         len(coords),
         POINTS,
-        lambda a, b: _press(coords, made.radius, ring, first, beside, sides, a, b, out),
+        lambda a, b: _press(coords, made.radius, ring, first, beside, sides, ridge, a, b, out),
     )
     return out
