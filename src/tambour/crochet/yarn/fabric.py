@@ -252,8 +252,8 @@ PLIED = 400
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
 LAY = 9.5
-"""Radii along which plies wind once about the yarn: they lie 26 degrees to its way. At 7.5 it was 40, and one leg of a V, which leans
-against the twist, showed them lying along it (smooth) and the other across it (a corkscrew): no two legs were alike."""
+"""Radii along which plies wind once about the yarn: they lie 33 degrees to its way, as in worsted of four plies. At 13 a leg of a V showed one
+shallow groove, and nobody saw plies; at 7.5 the leg that leans against the twist showed them lying along it, and the other a corkscrew."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
 UNEVEN, DRIFT, HELD = 0.036, 0.09, 6
