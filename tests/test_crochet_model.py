@@ -1058,6 +1058,19 @@ def test_what_would_fall_over_stands_on_its_feet_and_what_strides_looks_to_where
     assert ahead[first[1] : first[2], 2].mean() > 5.0
 
 
+def test_a_head_looks_to_where_its_small_forms_are_and_what_swims_is_not_turned_for_its_fins() -> None:
+    skull, sides = globe(10.0, 48)
+    place = np.array([(-4.0, 3.0, -8.7), (4.0, 3.0, -8.7), (0.0, -1.0, -10.0), (-2.0, -5.0, -8.4), (2.0, -5.0, -8.4)])
+    near = np.sqrt(((skull[:, None] - place) ** 2).sum(2)).min(1)
+    grown = skull * (1.0 + 0.1 * np.exp(-((near / 0.9) ** 2)))[:, None]
+    bust = np.column_stack([0.9 * grown[:, 0], np.maximum(grown[:, 1], -8.0), grown[:, 2]])
+    found = bust @ facing(bust, sides, None).T
+    assert found[grown.argmin(0)[2], 2] > 9.0
+    assert (facing(found, sides, None) == np.eye(3)).all()
+    fish = np.column_stack([0.9 * grown[:, 0], grown[:, 1] - 0.04 * (grown[:, 2] + 10.0) ** 2, grown[:, 2]])
+    assert (facing(fish, sides, None) == np.eye(3)).all()  # what is lowest lies beside its middle
+
+
 @pytest.mark.slow
 def test_rounds_read_easily_and_where_they_need_not_follow_a_flat_body_better() -> None:
     x, faces, _ = bodies(Mesh(*globe(7.0, 12)), [])[0]

@@ -9,6 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.model.distance import Target, spread
+from tambour.crochet.model.faced import faced
 from tambour.crochet.model.geodesic import about, distances, girth, lines
 from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import corners
@@ -32,6 +33,9 @@ DEEP, HEAD, FEET = 0.6, 0.15, 0.05
 FALLS, FIRM, WAYS = 0.02, 0.1, 48
 """A model falls over whose middle is hardly within what it stands on, as a share of its height, and is firm where it is well within it,
 whichever of so many ways one looks."""
+FACE, STANDS = 0.08, 0.01
+"""What stands, by so much of its height within its feet and more, has its face where its small forms are, if those look and lie so far ahead
+or behind; of what swims they are fins."""
 STRIDE, NEARER = 0.2, 0.75
 """A model without a mirror has its head so far to one end of its width, and is so much nearer to its image across z than across x."""
 LOST, WIDE, LEANING, HOLLOW = 4.0, 0.2, 0.5, 4.0
@@ -107,7 +111,8 @@ def facing(vertices: Array, faces: Array, front: str | None) -> Array:
     """The rotation (3, 3) about y that turns the front of a model, which stands upright, to z. ``front``: the side that is,
     or None to find out.
 
-    That is z ahead, and x of what is its own mirror image across z and not across x. But of an animal on its feet the head is
+    That is z ahead, and x of what is its own mirror image across z and not across x. But small forms are a face: where nearly all of
+    them are behind, that is the front. And of an animal on its feet whose face does not tell the head is
     the front: where all that is high lies at one end, and what is low at the other, the high end. One that is no mirror image of
     itself, as in a stride, and is nearer to being one across z than across x, looks along x to where its head is.
     """
@@ -130,6 +135,8 @@ def facing(vertices: Array, faces: Array, front: str | None) -> Array:
         ]
         if off[2] < NEARER * off[0]:
             return turns["right" if side > 0 else "left"]
+    if plane is not None and steady(points, 1) >= STANDS and abs(face := faced(vertices @ turn.T, faces)) > FACE:
+        return turn if face > 0.0 else turns["back"] @ turn
     if plane is None or high[2] - low[2] < DEEP * (high[1] - low[1]):
         return turn
     head, feet = (float(share[part, 2].mean()) - 0.5 for part in (share[:, 1] > 0.75, share[:, 1] < 0.2))
