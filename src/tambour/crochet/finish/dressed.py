@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.finish.limp import LEGS
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.tree import Worn
 from tambour.geometry.motion import length
@@ -29,6 +30,10 @@ _SLIDE: Final = {"neck": (0.0, 0.45), "waist": (0.42, 0.8), "brow": (0.25, 0.6)}
 """Between which shares of the way down what wears it a garment's upper end comes to lie, by where it is worn."""
 _BESIDE: Final = 1.1
 """The two ends of a scarf hang so many of their widths apart."""
+_UNEVEN: Final = 3.0
+"""A sheet of which a row is so many times as wide as others is no plain one."""
+_HANGS: Final = 0.6
+"""A leg hangs of which so much is below the body."""
 TACKS: Final = 4
 """Stitches that hold clothes in their place."""
 
@@ -37,9 +42,10 @@ class Wearer:
     """What wears clothes, seen about its own axis.
 
     x : (K, 3) the places of its fabric, in stitches; up : (3,) the way to its upper end; front : (3,) ahead
+    below : (L, 3) those of legs, which clothes lie outside of too
     """
 
-    def __init__(self, x: Array, up: Array, front: Array) -> None:
+    def __init__(self, x: Array, up: Array, front: Array, below: Array | None = None) -> None:
         self.down = -up / float(length(up))
         ahead = front - (front @ self.down) * self.down
         self.front = ahead / float(length(ahead))
@@ -52,15 +58,19 @@ class Wearer:
         self.deep = off @ self.down
         self.far = np.hypot(off @ self.side, off @ self.front)
         self.angle = np.arctan2(off @ self.side, off @ self.front)
+        legs = (np.zeros((0, 3)) if below is None else below) - self.middle
+        self._deep = np.concatenate([self.deep, legs @ self.down])
+        self._far = np.concatenate([self.far, np.hypot(legs @ self.side, legs @ self.front)])
+        self._angle = np.concatenate([self.angle, np.arctan2(legs @ self.side, legs @ self.front)])
 
     def wide(self, deep: Array, angle: Array) -> Array:
         """How far (N,) its fabric reaches from its axis at places so far down and at angles about it, 0 its front."""
         made = np.zeros(len(deep))
         for begin in range(0, len(deep), 256):
             part = slice(begin, begin + 256)
-            turn = np.abs((self.angle[None] - angle[part, None] + math.pi) % (2.0 * math.pi) - math.pi)
-            near = (np.abs(self.deep[None] - deep[part, None]) < _ABOUT[0]) & (turn < _ABOUT[1])
-            made[part] = np.where(near, self.far[None], 0.0).max(1, initial=0.0)
+            turn = np.abs((self._angle[None] - angle[part, None] + math.pi) % (2.0 * math.pi) - math.pi)
+            near = (np.abs(self._deep[None] - deep[part, None]) < _ABOUT[0]) & (turn < _ABOUT[1])
+            made[part] = np.where(near, self._far[None], 0.0).max(1, initial=0.0)
         return made
 
     def mean(self, deep: float) -> float:
@@ -93,6 +103,7 @@ class Cloth:
 
     level : (K,) the row of each node; angle : (K,) radians, 0 the middle; off : (K,) how much farther out it is than its row
     wide, step : of every row, how far it is from the axis and how far from the row above, in stitches
+    even : no row is far wider than the others: of what is worked on from the side of a bodice the rows run two ways
     """
 
     def __init__(self, spots: Spots, part: int, around: float) -> None:
@@ -110,6 +121,7 @@ class Cloth:
                 numbers, level = np.unique(level, return_inverse=True)
             width = np.array([float(np.ptp(across[level == k])) + 1.0 for k in range(len(numbers))])
             height = np.array([float(along[level == k].mean()) for k in range(len(numbers))])
+            self.even = float(width.max()) < _UNEVEN * float(np.median(width))
             closed = width > 0.8 * around
             self.closed = bool(closed.mean() > 0.5)
             wide = np.where(closed, width, around) / (2.0 * math.pi)
@@ -122,6 +134,7 @@ class Cloth:
             wide = np.array([float(far[level == k].mean()) for k in range(len(numbers))])
             height = np.array([float(x[level == k, 1].mean()) for k in range(len(numbers))])
             self.angle, self.off, self.closed = np.arctan2(off[:, 0], off[:, 1]), far - wide[level], True
+            self.even = True
         order = np.arange(len(numbers))
         ends = [float(np.median(wide[:2])), float(np.median(wide[-2:]))]
         if ends[1] < 0.9 * ends[0] and (not self.rows or self.closed):
@@ -203,7 +216,7 @@ def dressed(spots: Spots, x: Array, upright: Array, worn: tuple[Worn, ...], piec
         part, host = spots.parts[one.part], spots.parts[one.host]
         span, own = graph.parts[part], wears(spots, host, one.low, one.high)
         under = np.concatenate([x[own], *layers.get(host, [])])
-        wearer = Wearer(under, upright[host], np.array([0.0, 0.0, 1.0]))
+        wearer = Wearer(under, upright[host], np.array([0.0, 0.0, 1.0]), _legs(spots, x, own, piece))
         nodes = np.arange(span.start, span.end)
         if one.where == "scarf":
             moved = wound(spots.layout[nodes], wearer, 0.04 * wearer.long)
@@ -216,6 +229,19 @@ def dressed(spots: Spots, x: Array, upright: Array, worn: tuple[Worn, ...], piec
         layers.setdefault(host, []).append(moved)
         pairs.append(_tacks(moved, nodes, x[own], own))
     return x, np.concatenate(pairs)
+
+
+def _legs(spots: Spots, x: Array, own: Array, piece: Array) -> Array:
+    """The places (L, 3) of the legs of a toy with the body ``own`` that hang down from it; of those that it sits with none."""
+    graph, found = spots.built.graph, [np.zeros((0, 3))]
+    low = float(x[own, 1].min())
+    for span in graph.parts:
+        leg = x[span.start : span.end]
+        if not LEGS.search(span.name.lower()) or not len(leg) or piece[span.start] != piece[own[0]]:
+            continue
+        if low - float(leg[:, 1].min()) > _HANGS * float(np.ptp(leg, axis=0).max()):
+            found.append(leg)
+    return np.concatenate(found)
 
 
 def base(where: str) -> str:

@@ -154,7 +154,7 @@ def _oval(built: Built, part: int) -> bool:
 
 def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
     """The stitches by which a piece in rows is sewn that stands out from the fabric."""
-    mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
+    mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part and not (r.aside and not r.count)]
     mine = [nodes for nodes in mine if len(nodes)]
     *rows, end = [len(nodes) for nodes in mine]
     if len(rows) > 1 and end >= AROUND * max(rows) and rows[-1] <= max(rows[:-1]):

@@ -60,7 +60,8 @@ def in_rows(graph: StitchGraph) -> Array:
     """Which parts (P,) are worked in rows: turned, and never joined to rounds, but for an edging round many rows. Slip stitches
     into the row below join nothing, where the piece is turned again and again."""
     of_join = graph.edges[graph.edge_kind == JOIN]
-    closes = graph.round[of_join[:, 0]] == graph.round[of_join[:, 1]]
+    of_join = of_join[~_hanging(graph)[of_join[:, 0]]]  # slip stitches back along a strand join nothing
+    closes = (graph.round[of_join[:, 0]] == graph.round[of_join[:, 1]]) & ~_along_chains(graph, of_join)
     levels = int(graph.round.max(initial=0)) + 2  # -1 is one
     of_round = graph.part.astype(np.int64) * levels + graph.round + 1
     back, every = (np.unique(of_round[some]) // levels for some in (graph.direction < 0, ...))
@@ -76,6 +77,26 @@ def in_rows(graph: StitchGraph) -> Array:
         joins = np.unique(graph.round[of_join[graph.part[of_join] == part]])
         joined[part] = len(back) < EDGED or bool((joins < graph.round[p.start : p.end].max()).any())
     return turned & ~joined & ~rooted
+
+
+def _along_chains(graph: StitchGraph, of_join: Array) -> Array:
+    """Which of the joins (K, 2) are slip stitches along the chain that a part begins with, and make no ring of it: those of a
+    chain of which one goes into the half of it that was worked last."""
+    first = np.array([p.start for p in graph.parts])[graph.part[of_join[:, 1]]]
+    begun = (graph.round[of_join] == graph.round[first][:, None]).all(1)
+    n = np.bincount(graph.round, minlength=1)[graph.round[first]]
+    late = begun & (2 * (of_join[:, 1] - first) > n)
+    return np.asarray(begun & np.isin(first, first[late]))
+
+
+def _hanging(graph: StitchGraph) -> Array:
+    """Which nodes (N,) are those of strands."""
+    section = sections(graph)
+    starts = np.flatnonzero(np.diff(section, prepend=-1)).tolist()
+    found = np.zeros(len(graph), bool)
+    for a, b in zip(starts, [*starts[1:], len(graph)]):
+        found[a:b] = dangling.strung(graph, a, b)
+    return found
 
 
 def rounds(graph: StitchGraph, rest: Array) -> Array:

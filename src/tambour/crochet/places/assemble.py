@@ -362,7 +362,8 @@ class Assembly(Hosts):
             ):  # of parts that stand on each other one is put on the main part, the rest stays as it is
                 p.host = (main, 1)
                 on |= {c[0].copy(c[1]): main.copy(1) for c in p.copies}
-        return sorted(puts, key=lambda p: depth(p.copies[0][0].copy(p.copies[0][1])))
+        # A beak is below the eyes, also where it is sewn on before them.
+        return sorted(puts, key=lambda p: (depth(p.copies[0][0].copy(p.copies[0][1])), p.kind != "eye"))
 
     @staticmethod
     def _under(part: Made, puts: list[Put]) -> set[Made]:

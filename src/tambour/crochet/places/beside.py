@@ -77,7 +77,10 @@ class Beside:
         elif "top" in said and "bottom" not in said:
             x, y, z = (sign * 0.42 if copies == 2 or x else 0.0), 0.92, (z if abs(z) < 0.3 else 0.0)
             hangs = axis is not None and axis[1] < -0.5 and "upwards" not in said  # arms, also from the shoulders' top
-            axis = axis if hangs or (axis is not None and axis[1] > 0.3) else (x * 0.6, 1.0, 0.0)
+            level = (
+                axis is not None and abs(axis[0]) >= 1.0 and axis[1] <= 0.1
+            )  # ears of a sheep, also on top of its head
+            axis = axis if hangs or level or (axis is not None and axis[1] > 0.3) else (x * 0.6, 1.0, 0.0)
         elif "bottom" in said and copies <= 2:
             hoof = axis is not None and axis[1] < -0.9 and abs(z) > 0.5  # of what goes on four legs: before, or behind
             x, y, z = (sign * 0.45 if x else 0.0), -0.9, (z if hoof else 0.12 if x else z * 0.3)

@@ -154,7 +154,7 @@ class Facer(Putter):
         some = counts[: max(1, math.ceil(_SNOUT * len(counts)))]
         ends = [max((k + 1 for k, c in enumerate(some) if c < share * max(counts)), default=0) for share in _FULL]
         level = ends[0]
-        if host.name == self.work.main.name and level <= 0.2 * (high - low + 1):
+        if level <= 0.2 * (high - low + 1):
             level = max(level, min(ends[1], round(_BLUNT * (high - low + 1))))  # a blunt one has its eyes at its sides
         return float(host.levels[min(level, len(counts) - 1)][0])
 

@@ -216,7 +216,7 @@ class Heard:
 
     def _hair(self, low: str, sentence: Sentence, order: int) -> bool:
         """Whether a sentence says how hair of yarn is made that no part is: along a parting, all over, in bunches."""
-        if EYES.search(low) or any({"hair", "wig"} & set(p.words) or p.kind == "tuft" for p in self.parts):
+        if EYES.search(low) or any(p.hair or p.kind == "tuft" for p in self.parts):
             return False
         known = next((f for f in self.features if f.what == "hair"), None)
         if not is_hair(low) and (known is None or not COMBED.search(low)):
@@ -242,7 +242,7 @@ class Heard:
             found = mentions(low, self.parts)
         at = where(low)
         hair = SEWN_HAIR.search(low)
-        if hair and not any({"hair", "wig"} & set(p.words) for p in self.parts):
+        if hair and not any(p.hair for p in self.parts):
             if not any(f.what == "hair" for f in self.features):
                 host = self._on([m for m in found if m.start > hair.start()], low)
                 self.features.append(Feature("hair", host, "head", at, sentence.span, order, color, low))

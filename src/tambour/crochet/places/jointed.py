@@ -62,6 +62,12 @@ class Jointer(Holder):
         turns = [about + k * _ROLL for k in range(-9, 10)]
         return replace(record, across=(max(turns, key=rises) + 180.0) % 360.0 - 180.0)
 
+    def _headed(self, put: Put) -> bool:
+        """Whether a part is put on a body that bears a head of its own, or on that end of what is both."""
+        assert put.host is not None
+        head = self.work.of_kind("head")
+        return put.region == "body" or (put.host[0].kind == "body" and head is not None and head != put.host[0])
+
     def _rims(self, put: Put) -> list[Placed] | None:
         """A part whose open end is as wide as the other's, sewn to it rim to rim, where nothing else is said."""
         assert put.host is not None

@@ -36,7 +36,11 @@ class Likely(Upright):
             before = part
 
     def _shaped(self) -> None:
-        """Parts whose names do not say what they are: a leg that goes on into the body; a large one beside the body."""
+        """Parts whose names do not say what they are: a leg that goes on into the body; a large one beside the body; a bird's claws."""
+        kinds = {p.kind for p in self.parts}
+        for claws in [p for p in self.parts if p.kind == "claw" and p.copies == 2]:
+            if "beak" in kinds and not kinds & {"leg", "foot"}:
+                self._likely(claws, "foot")
         bare = [p for p in self.parts if p.single and not p.worn]
         if not bare:
             return

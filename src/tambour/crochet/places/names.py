@@ -63,7 +63,7 @@ _VESSELS: Final = frozenset(
     "eimer topf teller bolsa bolso cesta taza cuenco cubo maceta plato sac panier tasse bol seau pot assiette tas mand kop kom emmer bord".split()
 )
 """Words of things that stand with their opening upwards."""
-_HAIR: Final = frozenset("hair wig haar perücke pelo peluca cheveux perruque pruik".split())
+_HAIR: Final = frozenset("hair wig fleece haar perücke pelo peluca cheveux perruque pruik".split())
 _SHOES: Final = frozenset(
     "shoe boot bootie sandal slipper schuh stiefel zapato bota chaussure botte schoen laars".split()
 )
@@ -161,6 +161,8 @@ class Made:
             return "eye"  # patches about the eyes
         if "beard" in found and "hat" in found:
             return "beard"  # with the hair beside it
+        if found[:2] == ["tuft", "ear"]:
+            return "ear"  # an owl's
         joined = set(found) <= {"head", "body", "neck", "leg"} or re.search(r"\band\b|&", self.name.lower())
         return next((k for k in ("body", "head") if joined and k in found), found[0])
 

@@ -20,14 +20,12 @@ from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.places.room import Seam, aside, spread
 from tambour.crochet.places.rowed import in_rows
 from tambour.crochet.places.stand import Host, neck
-from tambour.crochet.places.usual import SPREAD, Way, usual
+from tambour.crochet.places.usual import DOLLS, SPREAD, Way, usual
 
 _ROUGHLY: Final = 0.6
 """An end is on top that looks so nearly upwards, as a cosine, for what goes on top."""
 _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inner"))
 """What goes on an end of what it is sewn to, without a word."""
-
-
 _BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
 """How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
 _HANGS_BY: Final = 0.8
@@ -99,7 +97,7 @@ class Putter(Jointer):
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
-        wanted |= frozenset(one(w) for w in re.findall(r"[^\W\d_]+", work.text[:200])) & (SPREAD | BESIDE)
+        wanted |= frozenset(one(w) for w in re.findall(r"[^\W\d_]+", work.text[:200])) & (SPREAD | BESIDE | DOLLS)
         if kind == "leaf" and len(put.copies) > 8:  # they stand in rings, whatever round the first of them is in
             put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
         if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen
@@ -117,14 +115,15 @@ class Putter(Jointer):
             wanted |= {"tail"}
         if lies and "back" in put.where.words and kind in _ON_BACKS:  # the back of what lies is on top
             put = replace(put, where=replace(put.where, words=put.where.words - {"back", "middle"} | {"top"}))
-        ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
+        long, headed = self._long(put.copies[0]), self._headed(put)
+        ways = usual(kind, len(put.copies), lying=lies, long=long, words=wanted, headed=headed)
         behind = "back" in put.where.words and "sides" not in put.where.words and "rear" not in made.words
         if kind == "wing" and len(ways) == 2 and behind:
             ways = [replace(way, at=(0.45 * math.copysign(1.0, way.at[0]), *way.at[1:])) for way in ways]
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         two = made.copies == 2 and made not in work.layered  # two layers are one thing
         if len(put.copies) == 1 and (two or {"left", "right"} & set(made.words)):
-            pair = usual(kind, 2, lying=lies, long=self._long(put.copies[0]), words=wanted)
+            pair = usual(kind, 2, lying=lies, long=long, words=wanted)
             right = "right" in made.words or "right" in put.where.words or (two and put.copies[0][1] == 2)
             if put.where.through and put.where.rounds is not None:  # on the side that its stitches are on
                 at = Spot(work.host(onto).name, put.where.rounds[0], put.where.stitch)
@@ -193,7 +192,7 @@ class Putter(Jointer):
         ):
             records = [self._right_side_ahead(c, r) for c, r in zip(put.copies, records)]
         self.room.take(seams)
-        if kind in _BELOW_EYES:
+        if kind in _BELOW_EYES or kind == "eye":
             self.deep[kind] = self._bulge(put.copies[0])
         for record in records:
             self.stand.place(record)

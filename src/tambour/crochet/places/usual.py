@@ -18,6 +18,10 @@ SPREAD: Final = frozenset(
 """Toys, by their titles, whose wings are on their backs, and spread beside them; those of birds hang at their sides."""
 
 
+DOLLS: Final = frozenset("doll puppe muñeca poupée pop".split())
+"""Toys, by their titles, that stand on their legs, and do not sit."""
+
+
 @dataclass(frozen=True, slots=True)
 class Way:
     """How a part is put on: directions are of the toy as it stands, x to its left, y up, z ahead.
@@ -123,6 +127,8 @@ _SINGLE: Final[dict[str, Way]] = {
     "tentacle": Way((0.0, -0.75, 0.66), (0.0, -0.25, 1.0), flat=True),
     "": Way((0.0, 0.0, 1.0), None),
 }
+_CHEST: Final = 0.3
+"""How high a bow, a heart, a button is on a body that bears a head, and a patch of fur that is its chest."""
 # On a body that lies with its front ahead, these differ.
 _LYING: Final[dict[str, Way]] = {
     "head": Way((0.0, 0.55, 0.9), (0.0, 0.75, 0.65), flat=False),
@@ -145,16 +151,28 @@ _LYING_PAIRS: Final[dict[str, Way]] = {
 
 
 def usual(
-    kind: str, copies: int, *, lying: bool = False, long: bool = False, words: frozenset[str] = frozenset()
+    kind: str,
+    copies: int,
+    *,
+    lying: bool = False,
+    long: bool = False,
+    words: frozenset[str] = frozenset(),
+    headed: bool = False,
 ) -> list[Way]:
     """The ways of the copies of a part: the one with the lower stitch number is on the toy's left.
 
     lying : what it is put on lies; long : it is much longer than wide; words : of its name and of the sentence
+    headed : it is put on a body that bears a head of its own
     """
+    if kind == "bow" and headed and not lying and copies < 3:
+        ways = [Way((0.3 * (3 - copies), _CHEST, 0.9), None, flat=False)]
+        return ways if copies == 1 else [ways[0], ways[0].mirrored()]
     if copies == 1:
         way = (_LYING.get(kind) if lying else None) or _SINGLE.get(kind) or _PAIRS.get(kind) or _SINGLE[""]
         if kind == "leaf" and copies == 1 and words & {"petal"}:
             way = _SINGLE["stem"]
+        if kind == "belly" and "chest" in words and not lying:
+            way = replace(way, at=(0.0, _CHEST, 1.0))
         return [way]
     if copies == 2 and kind == "bumper":
         return [_SINGLE["bumper"], Way((0.0, -0.45, -1.0), None)]
@@ -171,10 +189,12 @@ def usual(
             pairs = replace(pairs, at=(0.95, 0.3, 0.1), axis=(1.0, 0.1, -0.1), line=_UP)
         elif kind == "ear" and words & {"monkey", "koala", "mouse", "chimp", "sloth"} and not long:
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(0.85, 0.5, 0.0), line=(0.5, -0.85, 0.0))
-        elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe"} and not lying:
-            pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(1.0, -0.15, 0.0), line=_ALONG)
+        elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe"}:
+            pairs = replace(pairs, at=(0.85, 0.5, pairs.at[2]), axis=(1.0, -0.15, 0.0), line=_ALONG)
         if kind == "wing" and words & SPREAD:
             pairs = replace(pairs, at=(0.55, 0.35, -0.75), axis=(1.0, 0.45, -0.1), line=_UP)
+        if kind == "leg" and long and words & DOLLS and not lying:
+            pairs = replace(pairs, at=(0.45, -0.9, 0.12), axis=(0.08, -1.0, 0.08))
         if kind == "leg" and words & {"front", "fore"}:
             pairs = replace(_LYING_PAIRS["arm"] if lying else _PAIRS["arm"])
         return [pairs, pairs.mirrored()]

@@ -104,5 +104,5 @@ def _goes_on(toy: Assembly, part: int, x: Array, where: str) -> bool:
     around = 2.0 * math.pi * (wearer.mean(wearer.catches(base(where), 0.0)) + OFF)
     cloth = Cloth(toy.spots, part, around)
     if not cloth.closed:
-        return 0.25 * around < float(np.ptp(cloth.angle)) * float(cloth.wide[0]) < 1.2 * around
+        return cloth.even and 0.25 * around < float(np.ptp(cloth.angle)) * float(cloth.wide[0]) < 1.2 * around
     return fits(wearer, base(where), float(cloth.wide[0]))

@@ -1,0 +1,198 @@
+"""Toys as a stranger looks at them: what makes an owl an owl, a sheep a sheep and a doll a doll is where it is on one."""
+
+import numpy as np
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.dressed import Wearer
+from tambour.crochet.finish.sewing import end_of
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.layout import in_rows
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye, Hair, Placed
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from test_crochet_assembled import BODY, LIMBS, points, read, spot
+
+HEAD = BODY.replace("BODY", "HEAD")
+LONG = """{0} (make 2)
+Rnd 1: 6 sc in MR (6)
+Rnd 2: (sc, inc) x 3 (9)
+Rnds 3-18: sc around (9)
+Fasten off.
+
+"""
+BLUNT = """HEAD
+Beginning at nose, ch 2.
+Rnd 1: 6 sc in 2nd ch from hook (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnds 6-17: sc around (30)
+Rnd 18: (4 sc, inc) x 6 (36)
+Rnds 19-20: sc around (36)
+Rnd 21: (4 sc, dec) x 6 (30)
+Rnd 22: (3 sc, dec) x 6 (24)
+Rnd 23: (2 sc, dec) x 6 (18)
+Rnd 24: (sc, dec) x 6 (12)
+Rnd 25: dec x 6 (6)
+Fasten off and close.
+
+"""
+TOED = """LEGS (make 2)
+With yellow, ch 12.
+Row 1: Sl st in 2nd ch from hook and each of next 2 ch. *Ch 4. Sl st in 2nd ch from hook and each of next 2 ch. Rep from * once more. Sc in next ch and each ch to end of chain.
+Fasten off.
+
+"""
+
+
+def of(pattern, name: str) -> list[Placed]:
+    """The records of the copies of a part."""
+    return [f for f in pattern.finish if isinstance(f, Placed) and f.part.split(".")[0] == name]
+
+
+def test_an_owls_ear_tufts_stand_on_top_and_its_beak_is_below_the_eyes_that_are_sewn_on_after_it() -> None:
+    """Tufts were taken for bunches of hair, which hang at the sides; the beak was level with the eyes."""
+    dot = "EYES (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nFasten off.\n\n"
+    cone = "BEAK\nRnd 1: 3 sc in MR (3)\nRnd 2: inc x 3 (6)\nRnd 3: sc around (6)\nFasten off.\n\n"
+    parts = BODY.replace("5-12", "5-16").replace("13:", "17:").replace("14:", "18:").replace("15:", "19:")
+    parts += cone + LIMBS.format("EAR TUFTS", 2) + dot
+    pattern = read(
+        parts,
+        "Sew the beak to the body as shown. Sew the ear tufts to the body as shown. Sew the eyes to the body as shown.",
+    )
+    built, spots, x = points(pattern)
+    body = x[built.graph.part == spots.parts["BODY"]]
+    tufts = [spot(spots, x, f) for f in of(pattern, "EAR TUFTS")]
+    eyes = [spot(spots, x, f) for f in of(pattern, "EYES")]
+    (beak,) = (spot(spots, x, f) for f in of(pattern, "BEAK"))
+    high = float(np.ptp(body[:, 1]))
+    assert len(tufts) == len(eyes) == 2
+    assert min(t[1] for t in tufts) > body[:, 1].min() + 0.8 * high and tufts[0][0] * tufts[1][0] < 0.0
+    assert beak[1] < min(e[1] for e in eyes) - 1.5
+
+
+def test_hair_that_is_sewn_on_is_the_fleece_that_was_crocheted_and_no_strands_of_yarn() -> None:
+    fleece = LIMBS.format("FLEECE ON TOP OF HEAD", 1)
+    said = "Sew hair to top of head, the longer loops in front. Sew the head to the body."
+    pattern = read(BODY + HEAD + fleece, said, "Woolly sheep")
+    assert not any(isinstance(f, Hair) for f in pattern.finish)
+    assert [f.spot.part for f in of(pattern, "FLEECE ON TOP OF HEAD")] == ["HEAD"]
+
+
+def test_a_sheeps_ears_lie_level_also_on_top_of_its_head() -> None:
+    """They stood up, and the sheep was a donkey."""
+    head = HEAD.replace("Rnd 1: 6 sc in MR (6)", "Beginning at nose, ch 2.\nRnd 1: 6 sc in 2nd ch from hook (6)")
+    for title, level in (("Woolly sheep", True), ("Long-eared hare", False)):
+        pattern = read(
+            BODY + LIMBS.format("LEG", 4) + head + LONG.format("EARS"),
+            "Sew the legs to the body. Sew the ears to the top of the head. Sew the head to the front of the body.",
+            title,
+        )
+        built, spots, x = points(pattern)
+        for record in of(pattern, "EARS"):
+            part = built.graph.parts[spots.parts[record.part]]
+            way = x[part.start] - x[end_of(built, spots, record).nodes].mean(0)  # from the seam to the tip
+            assert (abs(way[0]) > abs(way[1])) == level
+
+
+def test_eyes_of_a_blunt_head_that_looks_ahead_are_at_its_sides_and_not_on_its_nose() -> None:
+    pattern = read(
+        BODY + LIMBS.format("LEG", 4) + BLUNT,
+        "Sew the legs to the body. Stack black buttons on white buttons and sew to head. Sew the head to the front of the body.",
+    )
+    rounds = [f.spot.round for f in pattern.finish if isinstance(f, Eye)]
+    assert len(rounds) == 2 and min(rounds) > 6
+
+
+def test_a_heart_on_a_body_that_bears_a_head_is_on_its_chest_and_one_on_a_head_beside_its_top() -> None:
+    heart = "HEART\nRow 1: ch 6, sc in 2nd ch from hook and each ch across. Turn (5)\nRow 2: ch 1, sc across. Turn (5)\nRow 3: ch 1, sc across (5)\nFasten off.\n\n"
+    ahead = {}
+    for on in ("body", "head"):
+        pattern = read(BODY + HEAD + heart, f"Sew the head to the body. Sew the heart to the {on} as pictured.")
+        built, spots, x = points(pattern)
+        (record,) = of(pattern, "HEART")
+        host = x[built.graph.part == spots.parts[record.spot.part]]
+        assert record.spot.part == on.upper()
+        ahead[on] = (spot(spots, x, record) - host.mean(0)) / (0.5 * np.ptp(host, axis=0))
+    assert ahead["body"][2] > 0.75 and abs(ahead["body"][0]) < 0.5 and ahead["body"][1] < 0.6
+    assert ahead["head"][1] > 0.5
+
+
+def test_chest_fur_is_above_a_belly() -> None:
+    patch = "{0}\nRow 1: ch 6, sc in 2nd ch from hook and each ch across. Turn (5)\nRow 2: ch 1, sc across. Turn (5)\nRow 3: ch 1, sc across (5)\nFasten off.\n\n"
+    at = {}
+    for name in ("CHEST FUR", "BELLY"):
+        pattern = read(
+            BODY + HEAD + patch.format(name), f"Sew the head to the body. Sew the {name.lower()} to the body as shown."
+        )
+        _, spots, x = points(pattern)
+        at[name] = spot(spots, x, of(pattern, name)[0])
+    assert at["CHEST FUR"][2] > 0.0 and at["CHEST FUR"][1] > at["BELLY"][1] + 1.5
+
+
+def test_claws_of_a_bird_without_other_feet_are_its_feet() -> None:
+    beak = "BEAK\nRnd 1: 6 sc in MR (6)\nRnd 2: sc around (6)\nFasten off.\n\n"
+    for parts, low in ((beak, True), ("", False)):
+        pattern = read(BODY + parts + LIMBS.format("CLAWS", 2), "Sew everything to the body as shown.")
+        built, spots, x = points(pattern)
+        body = x[built.graph.part == spots.parts["BODY"]]
+        heights = [(spot(spots, x, f)[1] - body[:, 1].min()) / np.ptp(body[:, 1]) for f in of(pattern, "CLAWS")]
+        assert len(heights) == 2 and (max(heights) < 0.3) == low
+
+
+def test_legs_of_a_doll_hang_and_those_of_another_toy_are_ahead_of_it() -> None:
+    """A doll sat with its legs through its skirt."""
+    for title, hangs in (("Market day doll", True), ("Little hare", False)):
+        pattern = read(BODY + HEAD + LONG.format("LEGS"), "Sew the head to the body.", title)
+        built, spots, x = points(pattern)
+        for record in of(pattern, "LEGS"):
+            part = built.graph.parts[spots.parts[record.part]]
+            way = x[part.start] - x[end_of(built, spots, record).nodes].mean(0)
+            assert (way[1] < -abs(way[2])) == hangs
+
+
+def test_a_skirt_lies_outside_of_the_legs_below_it() -> None:
+    angle = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+    tube = np.concatenate([np.column_stack([3 * np.sin(angle), np.full(24, y), 3 * np.cos(angle)]) for y in range(10)])
+    leg = np.column_stack([np.linspace(2.0, 6.0, 20), np.linspace(0.0, -12.0, 20), np.zeros(20)])
+    up, front = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
+    left, other = np.array([0.5 * np.pi]), np.array([-0.5 * np.pi])
+    bare, legged = Wearer(tube, up, front), Wearer(tube, up, front, leg)
+    deep = np.array([19.0])
+    side = left if legged.wide(deep, left)[0] else other
+    assert bare.wide(deep, side)[0] == 0.0 and legged.wide(deep, side)[0] > 5.0
+    text = (
+        "Market day doll\n\n"
+        + BODY
+        + HEAD
+        + LONG.format("LEGS")
+        + "SKIRT\nCh 24, join with sl st to first ch.\nRnd 1: ch 1, sc in each ch around (24)\nRnds 2-16: sc around (24)\nFasten off.\n\n"
+        + "FINISHING\nSew the head to the body. Sew the legs to the bottom of the body. Embroider eyes on the head. Put the skirt on the doll.\n"
+    )
+    piece = make(Text(text, "toy.txt"), CrochetParams(tolerance=0.1), Progress())
+    graph, x = piece.built.graph, piece.positions / piece.built.graph.stitch_width
+    assert [w.part.split(".")[0] for w in piece.built.pattern.worn] == ["SKIRT"]
+    skirt, legs = (
+        np.concatenate([x[p.start : p.end] for p in graph.parts if name in p.name]) for name in ("SKIRT", "LEGS")
+    )
+    reached = legs[legs[:, 1] > skirt[:, 1].min()]
+    assert len(reached) and np.abs(reached[:, 0]).max() < np.abs(skirt[:, 0]).max() + 0.3
+
+
+def test_slip_stitches_back_along_a_chain_join_it_to_no_ring_and_a_leg_with_toes_is_sewn_by_its_other_end() -> None:
+    """A bird's leg lay about its body as a ring, and later hung by its toes."""
+    pattern = read(BODY + TOED, "Sew the legs to the bottom of the body.", "Hen")
+    built = build(pattern)
+    spots = Spots(built)
+    for record in of(pattern, "LEGS"):
+        part = spots.parts[record.part]
+        assert in_rows(built.graph)[part]
+        span = built.graph.parts[part]
+        end = end_of(built, spots, record).nodes
+        # The chain's beginning and the last stitch of the row, which stands over it.
+        assert span.start in end and len(end) <= 3
+    tube = "CUFF\nCh 24, join with sl st to first ch.\nRnd 1: ch 1, sc in each ch around (24)\nRnd 2: sc around (24)\nFasten off.\n\n"
+    assert not in_rows(build(read(tube, "")).graph)[0]
