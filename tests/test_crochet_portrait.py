@@ -108,3 +108,14 @@ def test_one_eye_at_least_is_seen_of_a_head_with_eyes_at_its_sides_and_a_face_be
     ahead = azimuth("Insert safety eyes between rounds 5 and 6, 4 sts apart.")
     aside = azimuth("Insert safety eyes between rounds 5 and 6, 9 sts apart.")
     assert (ahead, aside) == (portrait.AHEAD[0], portrait.QUARTER[0])
+
+
+def test_pieces_do_not_all_stand_at_one_place() -> None:
+    """Every specimen is of one yarn: all of them stood on the same boards before the same wall, with the same two balls behind."""
+    stages = {}
+    for name in ("sc", "joined", "granny", "posts", "fur", "blo", "loopst", "bobble"):
+        piece = make(None, CrochetParams(specimen=name, solver="none"), Progress())
+        stages[name] = portrait.table(piece), portrait.BALLS[(portrait._number(piece) >> 8) % len(portrait.BALLS)]
+    assert len(set(stages.values())) >= 5
+    assert len({table for table, _ in stages.values()}) >= 3
+    assert set(portrait.BALLS) == {0, 1, 2}

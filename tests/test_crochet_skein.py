@@ -63,3 +63,17 @@ def test_what_has_no_yarn_has_none_beside_it() -> None:
     piece = made(BALL)
     shown = toy(piece)
     assert skein.beside(piece, type(shown)(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), 0.0, 0.9) is None
+
+
+def test_there_are_as_many_as_asked_and_they_lie_as_they_happen_to() -> None:
+    from tambour.crochet.looks import toy
+
+    piece = made(BALL)
+    shown = toy(piece)
+    assert skein.beside(piece, shown, 0.3, 0.9, 0) is None
+    one, two = (skein.beside(piece, shown, 0.3, 0.9, balls) for balls in (1, 2))
+    assert one is not None and two is not None and 2 * len(one.vertices) == len(two.vertices)
+    here, there = (skein.beside(piece, shown, 0.3, 0.9, 1, lies) for lies in (5, 6))
+    assert here is not None and there is not None
+    assert np.abs(here.vertices.mean(0) - there.vertices.mean(0)).max() > 2.0
+    assert here.vertices[:, 1].min() == pytest.approx(shown.vertices[:, 1].min(), abs=1.5)

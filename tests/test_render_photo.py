@@ -146,3 +146,15 @@ def test_a_thin_sheet_has_no_dark_halo_on_the_table() -> None:
     lit, shaded = (left, right) if TABLES["painted"].side > 0.0 else (right, left)
     far = np.median(table[60, 4:12])
     assert lit > 0.80 * far and shaded < lit
+
+
+def test_shadows_are_cooler_than_what_the_window_lights() -> None:
+    """Daylight is warmer than what the room sends back: shadows of one grey with all else look computed."""
+    from tambour.render.light import window
+
+    for name, table in TABLES.items():
+        way, weight, key = table.lit(0.0, 80, 20)
+        lamp, sky = weight[key].sum(0), weight[~key & (way[:, 1] > 0.0)].sum(0)  # the table sends up what is warm
+        cooler = (sky[2] / sky[0]) / (lamp[2] / lamp[0])
+        assert (cooler - 1.0) * np.sign(table.warm) > 0.02, name
+    assert window(0.0, warm=1.0)[1][-1, 0] > window(0.0, warm=0.0)[1][-1, 0]

@@ -88,24 +88,32 @@ def studio(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array,
 
 
 def window(
-    azimuth: float, sky: int = 40, lamp: int = 10, *, side: float = 0.95, soft: float = 0.22
+    azimuth: float,
+    sky: int = 40,
+    lamp: int = 10,
+    *,
+    side: float = 0.95,
+    soft: float = 0.22,
+    high: float = 0.72,
+    warm: float = 0.6,
 ) -> tuple[Array, Array, Array]:
     """A pale room lit by a window beside and above the camera: softer than a lamp, and more of the light.
 
-    side : where the window is, radians to the left of the camera; soft : half its width, radians
+    side : where the window is, radians to the left of the camera; soft : half its width, high : how high it stands, radians
+    warm : how much warmer its light is than the room's, which fills the shadows
 
     As :func:`studio`: direction (L, 3), weight (L, 3), key (L,).
     """
     dome = directions(sky)
     height = dome[:, 1]
     turn = azimuth - side
-    towards = np.array([cos(0.72) * sin(turn), sin(0.72), cos(0.72) * cos(turn)])
+    towards = np.array([cos(high) * sin(turn), sin(high), cos(high) * cos(turn)])
     # The room is brighter on the window's side; the table sends up what is left.
-    cool, warm = np.array([0.96, 0.99, 1.04]), np.array([1.10, 0.98, 0.82])
+    cool, sent = 1.0 + warm * np.array([-0.075, -0.01, 0.11]), np.array([1.10, 0.98, 0.82])
     bright = np.where(height > 0, 0.42 + 0.3 * height, 0.22 - 0.06 * height) * (1.0 + 0.45 * (dome @ towards))
-    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (1.48 / sky)
+    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, sent) * (1.48 / sky)
     lamps = directions(lamp, towards, soft)
-    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (2.08 / lamp), (lamp, 3))
+    lamp_weight = np.broadcast_to((1.0 + warm * np.array([0.075, 0.0, -0.11])) * (2.08 / lamp), (lamp, 3))
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 
 

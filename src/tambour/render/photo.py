@@ -16,7 +16,7 @@ from tambour.core.threads import WORKERS
 from tambour.noise import stream
 from tambour.render import raster
 from tambour.render.camera import THREE_QUARTER
-from tambour.render.light import stand, unbroken, window
+from tambour.render.light import stand, unbroken
 from tambour.render.tables import TABLES
 
 SAMPLES: Final = 4
@@ -25,6 +25,8 @@ LIGHTS: Final = 160
 """Lights that sky and window are made of."""
 OPEN: Final = 0.022
 """How wide the lens is open, as a share of the thing's size."""
+NEARER: Final = 0.42
+"""How soft the thing itself is, before and behind what is looked at, as a share of what such a lens would make of it."""
 BEHIND: Final = 0.9
 """How much softer than the thing's own far side is what stands behind it: it lies further off than it is drawn."""
 FALLOFF: Final = 0.16
@@ -90,7 +92,7 @@ def picture(
     dark = mesh if cast is None else cast
     lit = unbroken(
         dark.vertices if beside is None else np.vstack([dark.vertices, beside.vertices]),
-        *window(azimuth, lights - lamps, lamps, side=TABLES[table].side, soft=TABLES[table].soft),
+        *TABLES[table].lit(azimuth, lights - lamps, lamps),
         size=FINEST,
     )
     for each in (dark,) if beside is None else (dark, beside):
@@ -164,7 +166,7 @@ def _focused(made: raster.Shot, samples: int, open: float) -> Array:
     # What lies a little before the middle of all that is seen is sharp.
     sharp = float(np.quantile(near[there], 0.6))
     spread = np.where(
-        there, 0.3 * open * made.size * made.camera.scale * np.abs(sharp - np.where(there, near, 0.0)), 0.0
+        there, NEARER * open * made.size * made.camera.scale * np.abs(sharp - np.where(there, near, 0.0)), 0.0
     )
     # Around it, where only its hairs are, as beside.
     share = _blurred(there.astype(np.float64)[..., None], 3.0)[..., 0]

@@ -19,7 +19,7 @@ from tambour.render.camera import MARGIN, THREE_QUARTER, Camera, look
 from tambour.render.cover import cover, turn
 from tambour.render.fleece import fibres, tones
 from tambour.render.hair import hairs
-from tambour.render.light import Lights, floor_light, shine, studio, touched, window
+from tambour.render.light import Lights, floor_light, shine, studio, touched
 from tambour.render.setting import behind, plain, wall
 from tambour.render.shade import HAIRS, shade
 from tambour.render.tables import PLANK, TABLES, tile
@@ -165,7 +165,7 @@ def shot(
         size = min(_FINEST, max(_FINEST // 3, round(1.25 * min(width, height))))
         lamps = max(1, lights // 5)
         count = (azimuth, lights - lamps, lamps)
-        all_of_them = window(*count, side=chosen.side, soft=chosen.soft) if chosen else studio(*count)
+        all_of_them = chosen.lit(*count) if chosen else studio(*count)
         lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, shut=rimless)
     every = mesh.vertices if beside is None else np.vstack([mesh.vertices, beside.vertices])
     low, high = points.min(0), points.max(0)

@@ -42,6 +42,8 @@ def wall(width: int, height: int, table: Table) -> Array:
 
 PANES = (0.20, 0.12, 0.26, 0.34)
 """Where the window's light falls on the wall, from the picture's middle and top, and half of how wide and high it is, in the picture's width."""
+BEFORE = 1.33
+"""What is nearer than the focus by so much of its distance is out of focus as well: the table before the thing."""
 HAZE, LIT = 0.05, 0.22
 """How far out of focus the wall is, as a share of the picture; how bright the window's light is on it, as a share of its colour."""
 
@@ -99,7 +101,7 @@ def behind(
     pool, plot : its light, of :func:`tambour.render.light.floor_light`
     tile : of :func:`tambour.render.tables.tile`, or (0, 0, 0): a table of boards ``plank`` mm wide; oak : (2, 3), its light and dark
         light; end : mm, how far behind the focus it ends, before a wall; bend : over how much of the picture's height it bends up to be the wall, 0 for an edge;
-        slope : how much more light comes to the picture's left than to its middle; focus : (3,) what is sharp, and all before it
+        slope : how much more light comes to the picture's left than to its middle; focus : (3,) what is sharp, and what is before it as far as the thing stands
     lens : mm, the width of the opening of a lens that sees only that sharp, 0 for all
     """
     height, width = out.shape[0], out.shape[1]
@@ -149,7 +151,7 @@ def behind(
                     # The tile, as coarse as the pixel is wide there, and as the lens blurs.
                     away = -(axes[2, 0] * (px - eye[0]) + axes[2, 1] * (ground - eye[1]) + axes[2, 2] * (pz - eye[2]))
                     away = max(away, 1e-6)
-                    blur = lens * scale * max(0.0, 1.0 / own - 1.0 / away)
+                    blur = lens * scale * max(0.0, 1.0 / own - 1.0 / away, 1.0 / away - BEFORE / own)
                     wide = per_mm * away / scale * (1.2 + 0.8 * blur)
                     s = ((px - focus[0]) * gx + (pz - focus[2]) * gz) * per_mm * 0.7
                     v = ((px - focus[0]) * -gz + (pz - focus[2]) * gx) * per_mm

@@ -255,7 +255,7 @@ def shade(
                                 open_sky[c] += d * dealt * weight[k, c]
                                 sky[c] += q * d * dealt * weight[k, c]
                     if gloss >= 1.0:
-                        # As smooth as glass: the room, in it the window with its bar and cross-bar; more of them the flatter one looks.
+                        # As smooth as glass, but no mirror: the room, in it the window with soft edges; more of them the flatter one looks.
                         back = 2.0 * (nx * dx + ny * dy + nz * dz)
                         rx, ry, rz = dx - back * nx, dy - back * ny, dz - back * nz
                         ahead = rx * w[0, 0] + ry * w[0, 1] + rz * w[0, 2]
@@ -263,8 +263,9 @@ def shade(
                         if ahead > 0.0:
                             p = abs(rx * w[1, 0] + ry * w[1, 1] + rz * w[1, 2]) / ahead
                             q = abs(rx * w[2, 0] + ry * w[2, 1] + rz * w[2, 2]) / ahead
-                            if p < 0.34 and q < 0.46 and p > 0.022 and abs(q - 0.1) > 0.02:
-                                room = 15.0
+                            p = min(1.0, max(0.0, (0.38 - p) / 0.10))
+                            q = min(1.0, max(0.0, (0.50 - q) / 0.12))
+                            room += 13.0 * p * p * (3.0 - 2.0 * p) * q * q * (3.0 - 2.0 * q) * (1.0 - 0.22 * abs(ry))
                         shine = (0.045 + 0.955 * (1.0 - view) ** 5) * room / gloss
                     rim = table[m, FUZZ] * (1.0 - view) ** 3
                     for c in range(3):

@@ -10,6 +10,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.noise import stream
+from tambour.render.light import window
 
 SIDE: Final = 1024
 """Texels along the side of a table's tile."""
@@ -31,7 +32,8 @@ class Table:
 
     grain : which tile it has (of :func:`tile`); light, dark : sRGB, between and in its grain
     wall : sRGB of what stands behind it, or None: it bends up behind the thing, as a sheet of paper does
-    side : where the window is, radians to the left of the camera; soft : how wide it is, radians
+    side : where the window is, radians to the left of the camera; soft : how wide it is, radians; high : how high it stands, radians
+    warm : how much warmer the window's light is than the room's: 1 on a fine morning, below 0 where the sky is blue and a lamp lit
     """
 
     grain: str
@@ -40,17 +42,28 @@ class Table:
     wall: tuple[float, float, float] | None
     side: float = 0.95
     soft: float = 0.22
+    high: float = 0.72
+    warm: float = 0.6
+
+    def lit(self, azimuth: float, sky: int, lamp: int) -> tuple[Array, Array, Array]:
+        """Its window's lights, of :func:`tambour.render.light.window`."""
+        return window(azimuth, sky, lamp, side=self.side, soft=self.soft, high=self.high, warm=self.warm)
 
 
 TABLES: Final[dict[str, Table]] = {
-    "oak": Table("wood", (0.79, 0.69, 0.565), (0.58, 0.45, 0.33), (0.91, 0.895, 0.87)),
-    "paper": Table("paper", (0.90, 0.885, 0.86), (0.84, 0.825, 0.80), None, -0.80, 0.34),
-    "linen": Table("linen", (0.86, 0.825, 0.76), (0.56, 0.51, 0.44), (0.84, 0.84, 0.83), -1.05, 0.26),
-    "painted": Table("painted", (0.90, 0.895, 0.885), (0.62, 0.61, 0.60), (0.87, 0.87, 0.86), 1.10, 0.33),
-    "stone": Table("stone", (0.68, 0.67, 0.655), (0.45, 0.445, 0.44), (0.80, 0.79, 0.77), 0.75, 0.30),
-    "walnut": Table("wood", (0.50, 0.37, 0.27), (0.26, 0.17, 0.11), (0.75, 0.73, 0.70), -0.90, 0.22),
+    "oak": Table("wood", (0.79, 0.69, 0.565), (0.58, 0.45, 0.33), (0.91, 0.89, 0.855)),
+    "paper": Table("paper", (0.91, 0.89, 0.86), (0.85, 0.83, 0.80), None, -0.80, 0.34, 0.80, 0.5),
+    "linen": Table("linen", (0.86, 0.825, 0.76), (0.56, 0.51, 0.44), (0.79, 0.81, 0.80), -1.05, 0.26, 0.62, 0.8),
+    "painted": Table("painted", (0.91, 0.895, 0.87), (0.64, 0.615, 0.585), (0.86, 0.875, 0.855), 1.10, 0.33, 0.78, 0.5),
+    "stone": Table("stone", (0.68, 0.67, 0.655), (0.45, 0.445, 0.44), (0.83, 0.80, 0.76), 0.75, 0.30, 0.74, 0.9),
+    "walnut": Table("wood", (0.50, 0.37, 0.27), (0.26, 0.17, 0.11), (0.73, 0.74, 0.71), -0.90, 0.22, 0.60, 1.0),
+    "birch": Table("wood", (0.88, 0.80, 0.69), (0.74, 0.63, 0.50), (0.74, 0.79, 0.74), -0.70, 0.20, 0.66, 0.9),
+    "slate": Table("stone", (0.40, 0.41, 0.43), (0.22, 0.225, 0.24), (0.80, 0.765, 0.72), 1.15, 0.24, 0.58, 0.3),
+    "cherry": Table("wood", (0.66, 0.47, 0.34), (0.44, 0.27, 0.17), (0.71, 0.76, 0.80), 0.85, 0.16, 0.64, 1.1),
+    "chalk": Table("painted", (0.80, 0.83, 0.82), (0.55, 0.58, 0.57), (0.90, 0.85, 0.80), -1.15, 0.36, 0.84, -0.3),
+    "wool": Table("linen", (0.74, 0.71, 0.68), (0.44, 0.41, 0.385), (0.88, 0.85, 0.82), 0.95, 0.30, 0.70, 0.2),
 }
-"""By name: oak and walnut boards, a sheet of paper, a linen cloth, painted boards, stone."""
+"""By name: boards of oak, walnut, birch and cherry; a sheet of paper; cloths of linen and wool; painted boards, white and chalky green; stone and slate."""
 
 
 @cache

@@ -44,8 +44,13 @@ _OFF: Final = radians(35.0)
 """A face so far beside the front is what one looks at."""
 _EASY, _HIGHEST = radians(35.0), radians(22.0)
 """Eyes that look up by no more are seen from before; by so much one looks down on a toy at the most, beyond what is usual."""
-PALE, DEEP = ("oak", "stone", "walnut", "linen"), ("paper", "linen", "painted", "oak")
+PALE, DEEP = (
+    ("oak", "stone", "walnut", "slate", "cherry", "wool"),
+    ("paper", "linen", "painted", "birch", "chalk", "oak"),
+)
 """Tables for pale yarn and for deep colours: each is set off against its table."""
+BALLS: Final = (2, 0, 1, 2, 1, 0, 1)
+"""How many balls of a piece's yarn lie behind it in its photo, by turns."""
 FLAT: Final = 0.3
 """What is less deep than so much of its width and height is a sheet."""
 PRESSED: Final = 0.025
@@ -98,7 +103,8 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
     on = table(piece)
     # Beside what lies flat a ball would be as sharp as that, cut by the picture's edge.
     if staged and not (sheet(piece) or lies(piece)):
-        asked["beside"] = beside(piece, made, azimuth, TABLES[on].side)
+        number = _number(piece) >> 8
+        asked["beside"] = beside(piece, made, azimuth, TABLES[on].side, BALLS[number % len(BALLS)], number)
     return picture(made, azimuth=azimuth, elevation=elevation, table=on, cast=cast, **asked)
 
 
@@ -114,7 +120,20 @@ def table(piece: Plush) -> str:
     most = colors[int(np.argmax(count))]
     light = float(linear(most / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
     among = PALE if light > 0.45 else DEEP
-    return among[int(most.sum()) // 24 % len(among)]
+    return among[_number(piece) % len(among)]
+
+
+def _number(piece: Plush) -> int:
+    """A number by which one piece's picture is not another's, the same while one works on it: by its first part's name, the yarn of
+    most of its stitches, and what it is of."""
+    from zlib import crc32
+
+    import numpy as np
+
+    colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
+    most = colors[int(np.argmax(count))].tolist() if len(colors) else []
+    parts = piece.built.pattern.parts
+    return crc32(repr((parts[0].name if parts else "", most, piece.params.material, piece.params.specimen)).encode())
 
 
 def sheet(piece: Plush) -> bool:

@@ -90,15 +90,18 @@ def _core(middle: Array, size: float, color: Array) -> Mesh:
     )
 
 
-def beside(piece: Plush, shown: Mesh, azimuth: float, side: float) -> Mesh | None:
-    """Two balls of the piece's yarn on the table behind it; None for what has no yarn.
+def beside(
+    piece: Plush, shown: Mesh, azimuth: float, side: float, balls: int = 2, lies: int | None = None
+) -> Mesh | None:
+    """Balls of the piece's yarn on the table behind it; None for what has no yarn, and for none.
 
     shown : the piece as it stands; azimuth : of who looks; side : where the window is, radians to the left of that
+    balls : how many, two at the most; lies : a number by which they lie and are as large as they happen to
     """
     from tambour.crochet.finish.features import joined
     from tambour.crochet.yarn.fibres import KINDS
 
-    if not len(shown.vertices) or not len(piece.yarn.radius):
+    if not len(shown.vertices) or not len(piece.yarn.radius) or not balls:
         return None
     right = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)])
     away = np.array([-np.sin(azimuth), 0.0, -np.cos(azimuth)])
@@ -116,8 +119,10 @@ def beside(piece: Plush, shown: Mesh, azimuth: float, side: float) -> Mesh | Non
     ]
     surface, thick = KINDS[piece.params.material].surface, max(float(piece.yarn.radius.max()), THINNEST * size)
     made = []
-    for number, ((across, back), color) in enumerate(zip(spots, (colors[order[0]], second))):
-        at = middle + across * right + back * away
-        at[1] = low[1] + 0.97 * size
-        made.append(wound(at, size, thick, color, number, surface))
+    for number, ((across, back), color) in enumerate(zip(spots[:balls], (colors[order[0]], second))):
+        further, aside, grown = (0.0, 0.0, 0.0) if lies is None else stream("lies", lies, number).uniform(0.0, 1.0, 3)
+        own = size * (1.0 - 0.28 * grown)
+        at = middle + across * (1.0 + 0.35 * aside) * right + (back + 0.5 * further * large) * away
+        at[1] = low[1] + 0.97 * own
+        made.append(wound(at, own, min(thick, max(0.6 * thick, THINNEST * own)), color, number, surface))
     return joined(made)
