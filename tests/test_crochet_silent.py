@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Group, Item, Pattern
@@ -252,7 +253,12 @@ def test_a_stitch_that_is_several_in_one_place_is_none_of_them() -> None:
     words = f"{TOP.replace('INSTRUCTIONS', 'LEAF HAT')}{lists}Ch 3; join with a slip st to form a ring.\nRound 1: Ch 3, 11 dc in ring; join—12 dc.\nRound 2: *V-st in next st, skip next st; repeat from * around; join.\n"
     pattern = read(Text(words, "pup.txt"))
     assert [part.name for part in pattern.parts] == ["LEAF HAT"]
-    assert any(words[p.span.start : p.span.end] == "V" for p in pattern.unread if p.span)
+    assert not pattern.unread
+    assert [w.made for w in build(pattern).worked][-2:] == [12, 18]
+    other = (
+        words.replace("V-st =", "Y-st:").replace("(dc, ch 1, dc) in same space", "as pictured").replace("V-st", "Y-st")
+    )
+    assert any(other[p.span.start : p.span.end] == "Y" for p in read(Text(other, "pup.txt")).unread if p.span)
 
 
 @pytest.mark.parametrize(

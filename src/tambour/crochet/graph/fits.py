@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tambour.crochet.graph.hook import Hook
-from tambour.crochet.graph.spaces import is_chain, spaces_ahead
+from tambour.crochet.graph.spaces import ahead_of_space, is_chain, spaces_ahead
 from tambour.crochet.language.stitches import MOST, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 
@@ -17,8 +17,14 @@ def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[in
     """
     hook.span = group.span
     many = spaces(group.items, stitches)
+    within = ahead_of_space(hook, group.until) if group.until else None
+    ends = [i.until for i in group.items if isinstance(i, Group) and i.until > 0]
+    if ends and not group.until:  # "*sc in each sc to next ch-2 sp, 3 sc in ch-2 sp; repeat from * around"
+        return max(1, spaces_ahead(hook, ends[0]) // len(ends)), None
     if many:
-        times = spaces_ahead(hook) // many
+        times = (spaces_ahead(hook) if within is None else within[1]) // many
+        if within is not None:
+            return times, None
         if times == 0:
             raise hook.fail("the round has no chain space left for this", "give a number instead")
         return times, None
@@ -28,8 +34,8 @@ def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[in
     ahead = max(0, hook.ahead)
     if hook.now.folded:
         ahead = (ahead + 1) // 2  # pairs
-    ahead = max(0, ahead - group.leaves)
-    if group.leaves and not ahead:
+    ahead = max(0, ahead - group.leaves) if within is None else within[0]
+    if (group.leaves or group.until) and not ahead:
         return 0, None
     times, over = divmod(ahead, takes)
     if times == 0:
@@ -103,7 +109,7 @@ def ends_around(items: tuple[Item, ...]) -> tuple[Item, ...]:
     """What goes around at the end of a round, none where it ends otherwise."""
     rest = [i for i in items if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "bl")]
     last = rest[-1] if rest else None
-    return last.items if isinstance(last, Group) and last.times is None and not last.leaves else ()
+    return last.items if isinstance(last, Group) and last.times is None and not (last.leaves or last.until) else ()
 
 
 def spread(hook: Hook, count: int) -> None:

@@ -28,17 +28,38 @@ def pass_rest(hook: Hook) -> None:
         hook.stitch(STITCHES["skip"], hook.now.left)
 
 
-def spaces_ahead(hook: Hook) -> int:
-    """How many chain spaces the round still has."""
-    found, before, left = 0, -2, hook.now.left
+def _ahead(hook: Hook) -> list[tuple[int, int]]:
+    """The chain spaces that the round still has: how many stitches lie before each, and how many chains it is of."""
+    found: list[tuple[int, int]] = []
+    before, done = -2, 0
     for n in hook.now.front:
-        if left <= 0:
+        if done >= hook.now.left:
             break
         if n >= 0:
-            left -= 1
-            found += is_chain(hook, n) and not (before >= 0 and _linked(hook, before, n))
+            if is_chain(hook, n):
+                if before >= 0 and _linked(hook, before, n):
+                    found[-1] = (found[-1][0], found[-1][1] + 1)
+                else:
+                    found.append((done, 1))
             before = n if is_chain(hook, n) else -2
+            done += 1
     return found
+
+
+def spaces_ahead(hook: Hook, chains: int = 0) -> int:
+    """How many chain spaces the round still has, or only those of so many ``chains``."""
+    return sum(not chains or many == chains for _, many in _ahead(hook))
+
+
+def ahead_of_space(hook: Hook, until: int) -> tuple[int, int]:
+    """How many stitches, and how many other spaces, lie before the next chain space of ``until`` chains, below zero before the last of so
+    many; to the end of the round where it has no such space left."""
+    ahead = _ahead(hook)
+    such = [k for k, (_, chains) in enumerate(ahead) if chains == abs(until)]
+    if not such:
+        return max(0, hook.ahead), len(ahead)
+    at = such[0] if until > 0 else such[-1]
+    return ahead[at][0], at
 
 
 def to_space(hook: Hook, halved: bool) -> None:

@@ -20,6 +20,7 @@ class Source:
     last_number : the number of the last numbered round, None at the start of a piece of work
     standing : so many chains at a round's beginning → whether they count as a stitch, where the text says it of all rounds
     spaced : the same of chains that are a stitch and a space ("ch 4 (counts as dc, ch 1)") → chains of the space
+    solid : no chain is known to stand in the round below: its spaces are those between stitches
     marked : which stitch of the round below is marked, from 0 as the round to come meets it; None where that is not known
     each : a count has shown that "2 sc in next 2 sts" means two in each
     """
@@ -39,6 +40,7 @@ class Source:
     standing: dict[int, bool] = field(default_factory=dict)
     spaced: dict[int, int] = field(default_factory=dict)
     marked: int | None = None
+    solid: bool = False
     each: bool = False
 
     def error(self, message: str, hint: str, span: Span) -> None:

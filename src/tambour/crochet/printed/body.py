@@ -27,9 +27,7 @@ _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
 _PUTS: Final = frozenset(("place", "put", "insert"))
-_MEANWHILE: Final = frozenset(
-    "put place insert mark move remove replace keep tuck weave thread tie knot snip glue fold".split()
-)
+_MEANWHILE: Final = frozenset("put place insert mark move remove replace keep tuck weave thread tie knot snip glue fold".split())  # fmt: skip
 """What hands do in the midst of a round, before it goes on as it was."""
 
 
@@ -37,7 +35,7 @@ _ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "
 _NEAR: Final = 8  # characters between a count and the bracket that ends it
 _PULLED: Final = frozenset(("pull", "tighten", "draw", "cinch"))
 _HOW: Final = frozenset(("loosely", "tightly", "firmly"))
-_HOLES: Final = frozenset("buttonhole armhole underarm strap slit".split())
+_HOLES: Final = frozenset("buttonhole armhole underarm strap slit handle handles thumb opening loop hanger".split())
 """What chains and skipped stitches are for."""
 _NEAR_BY: Final = 2  # characters between two words that nothing stands between
 _TALL: Final = ("hdc", "dc", "tr")
@@ -53,6 +51,9 @@ class Walk(Trade):
         while c.look() is not None:
             at, made = c.at, len(body.items)
             self.begun = at
+            if (many := things(c)) == 2 and body.items and (c.look(many) is None or c.mark(".", ahead=many)):
+                c.at += many + 1  # "4 shells."
+                continue
             if self.shuts(at):
                 c.at += 1
                 continue
@@ -221,8 +222,9 @@ class Walk(Trade):
                 return False
             if token.value in ("times", "more"):
                 raise NotUnderstood(token, "this repeats nothing", "put what is repeated in brackets before it")
-            hole = c.look(1)
-            c.at += 2 if token.value == "for" and hole is not None and hole.word in _HOLES else 1
+            ahead = 1 + (c.kind("ordinal", 1) or c.key("last", "other", ahead=1))
+            hole = c.look(ahead)
+            c.at += 1 + ahead if token.value == "for" and hole is not None and hole.word in _HOLES else 1
             return True
         return False
 

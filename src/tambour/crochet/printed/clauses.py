@@ -20,6 +20,7 @@ class Where:
     loops : "flo", "blo" or ""; ordinal : of a chain from the hook; together : one stitch over all the places
     spaces : the places are spaces of chains
     leaves : of "around", how many stitches at the end are left ("to last 2 sts")
+    until : of "around", the chain space that it goes to, as of :class:`Group`
     final : they are the last ones of the round; other : every other one only
     marked : it is the marked stitch, or those up to it
     """
@@ -36,6 +37,7 @@ class Where:
     final: bool = False
     other: bool = False
     marked: bool = False
+    until: int = 0
 
 
 LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -52,11 +54,14 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     begin = c.at
     kind = loops = ""
     each = counted = together = placed = spaces = final = other = marked = False
-    count, ordinal, leaves = 1, 0, 0
+    count, ordinal, leaves, until = 1, 0, 0, 0
     while (token := c.look()) is not None:
         if token.kind == "key":
             if token.value == "to" and (many := to_last(c)) is not None:
                 kind, leaves = "around", many
+                break
+            if token.value == "to" and (until := to_space(c)):
+                kind = "around"
                 break
             if token.value in ("in", "over", "to") and not placed and kind != "around":
                 if token.value == "to" and not (c.kind("ordinal", 1) or c.key("next", "last", ahead=1)):
@@ -108,7 +113,9 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 placed = True  # "in same loop and next 7 loops", "in each rem loop"
             elif token.value in ("ring", "loop") and inside and not placed:
                 kind, placed = "ring", True
-            elif token.value == "around" and c.key("each", "next", "same", "stitch", ahead=1):
+            elif token.value == "around" and (
+                c.key("each", "next", "same", "stitch", ahead=1) or (not placed and _one_post(c))
+            ):
                 inside = True  # around the post
             elif token.value == "around" and not (c.kind("number", 1) and not inside and not loops):
                 kind = "around"
@@ -187,6 +194,7 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         c.at += 1
     if kind == "around" and not leaves and c.key("to"):
         leaves = to_last(c) or 0  # "in each st around to last 2 sts"
+        until = 0 if leaves else to_space(c)
     if placed and each and not (counted or marked) and c.key("to") and (many := named(c, 1)):
         marked = True  # "in each sc to marked sc"
         c.at += many + 1
@@ -205,7 +213,9 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         kind = "around"
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
-    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked)
+    return Where(
+        kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked, until
+    )
 
 
 def _and_each(c: Cursor) -> int:
@@ -257,9 +267,15 @@ def _standing_chain(c: Cursor) -> int:
     return ahead + (c.whole(ahead) is not None)
 
 
+def _one_post(c: Cursor) -> bool:
+    """Whether "around first dc", "around last st", stands at the cursor."""
+    named = c.kind("ordinal", 1) or c.key("last", ahead=1)
+    return named and (c.kind("stitch", 2) or c.key("stitch", ahead=2))
+
+
 def to_last(c: Cursor) -> int | None:
     """Goes past "to last 2 sts" and gives the number; None where something else is said."""
-    if not c.key("last", ahead=1):
+    if not c.key("last", ahead=1) or _named_space(c, 2):
         return None
     number = c.whole(2)
     ahead = 2 + (number is not None)
@@ -267,6 +283,32 @@ def to_last(c: Cursor) -> int | None:
         return None
     c.at += ahead + 1
     return 1 if number is None else number
+
+
+def to_space(c: Cursor) -> int:
+    """Goes past "to next ch-1 sp" and gives the chains of that space, of "to last ch-1 sp" below zero; 0 where something else is said."""
+    last = c.key("last", ahead=1)
+    ahead = 1 + (last or c.key("next", ahead=1))
+    chains, many = _named_space(c, ahead) or (0, 0)
+    if not many:
+        return 0
+    c.at += ahead + many
+    return -chains if last else chains
+
+
+def _named_space(c: Cursor, ahead: int) -> tuple[int, int] | None:
+    """The chains of the space that is named there, "corner ch-2 sp", and how many tokens that is; None where none is."""
+    begin = ahead
+    corner = c.look(ahead)
+    ahead += corner is not None and corner.word in _CORNERS
+    chain = c.look(ahead)
+    if chain is None or chain.value != "ch":
+        return None
+    ahead += 1 + c.mark("-", ahead=ahead + 1)
+    chains = c.whole(ahead)
+    corner = c.look(ahead + 1)
+    ahead += 1 + (corner is not None and corner.word in _CORNERS)
+    return (chains, ahead + 1 - begin) if chains and c.key("space", "loop", ahead=ahead) else None
 
 
 def _same_as(c: Cursor) -> str:

@@ -20,6 +20,7 @@ _TAIL: Final = ("total", "around", "in", "stitch", "rest", "round", "row", "last
 _TAIL_WORDS: Final = frozenset(
     ("end", "left", "made", "now", "remain", "rem", "complete", "completed", "after", "remaining", "worked")
 )
+_HOLES: Final = frozenset(("buttonhole", "buttonholes", "eyelet", "eyelets"))
 _ENDS: Final = (".", "(", "[", ";", "*", "**")
 
 
@@ -87,8 +88,13 @@ def _and_more(r: Reader, ahead: int) -> int | None:
     if c.whole(ahead) is None or not (c.kind("stitch", ahead + 1) or c.key("space", "stitch", ahead=ahead + 1)):
         return None
     ahead += 2
-    while c.mark("-", ahead=ahead) or c.whole(ahead) is not None or c.key("space", "loop", ahead=ahead):
-        ahead += 1
+    while (
+        c.mark("-", ahead=ahead)
+        or c.whole(ahead) is not None
+        or c.key("space", "loop", ahead=ahead)
+        or ((word := c.look(ahead)) is not None and word.word in _HOLES)
+    ):
+        ahead += 1  # "and 2 ch-1 buttonhole spaces"
     after = c.look(ahead)
     return ahead if after is None or c.mark(*_ENDS, ",", ahead=ahead) or c.key("and", ahead=ahead) else None
 

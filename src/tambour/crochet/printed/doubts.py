@@ -98,7 +98,7 @@ def decided(
         walk = Walk(list(tokens), source.stitches, palette, choices, phrase)
         walk.spaced = source.spaced
         walk.standing, walk.edge, walk.marked = source.standing, edge, source.marked
-        walk.lying = lying
+        walk.lying, walk.solid = lying, source.solid
         body = walk.read()
         base = _base(body, chain)
         own = next((i.times for i in body.items[:2] if isinstance(i, Action) and i.name == "ch"), 0)

@@ -26,7 +26,9 @@ from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.hung import on_loops
 from tambour.crochet.printed.items import EVENED, evens
 from tambour.crochet.printed.items import works as works_some
+from tambour.crochet.printed.lengthened import lengthened
 from tambour.crochet.printed.mend import is_start
+from tambour.crochet.printed.motifs import chained
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.put import ended, finishing, sews, stuffed
@@ -97,6 +99,9 @@ class Headed(State):
             else None
         )
         self.source.marked = draft.ahead()
+        self.source.solid = any(one.in_round for one in draft.lines[-1:]) and not chained(
+            draft.lines[-1], self.source.stitches
+        )
         both = over_two(
             self, draft, tokens, lambda some, edge: decided(self.source, some, self.palette, edge, self.phrases), span
         )
@@ -115,7 +120,7 @@ class Headed(State):
             draft.leaves_rest(self.source)  # "Working in these 33 sts only"
         if both is None and established(self, tokens, head):
             return
-        tokens = _into_first(tokens, chain)
+        tokens = lengthened(self.source, draft, _into_first(tokens, chain))
         try:
             stands = not draft.flat or any(
                 t.value in ("skip", "slst") for t in tokens

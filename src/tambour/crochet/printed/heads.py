@@ -75,6 +75,9 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
     row = strong = other = False
     many = 1
     numbers: list[int] = []
+    titled = _titled(c) if first.kind in ("stitch", "key") else 0
+    if titled and c.whole(titled + 1) is not None:
+        c.at += titled  # "Dec Rnd 5:"
     if c.key("round", "row"):
         row, strong = c.key("row"), True
         c.at += 1
@@ -212,6 +215,8 @@ def _labelled(tokens: list[Token], at: int) -> int:
 
 def _unnumbered(c: Cursor) -> tuple[int, int] | None:
     """How many rounds "Next 5 rnds:" or "Joining rnd:" begins, and where the word round stands; None for no such head."""
+    if (titled := _titled(c)) and c.mark(":", ahead=titled + 1):
+        return 1, titled
     if not (c.key("next", "last", "join") or (c.kind("word") and c.tokens[c.at].word in _NAMED)):
         return None
     ahead = 1 + (c.whole(1) is not None)
@@ -221,6 +226,20 @@ def _unnumbered(c: Cursor) -> tuple[int, int] | None:
     if after is None or not (after.word in (":", "-", ".") or after.word in OPEN):
         return None if not c.key("next") or ahead > 1 else (1, 1)
     return (c.whole(1) or 1 if ahead == 2 else 1), ahead
+
+
+def _titled(c: Cursor) -> int:
+    """How many tokens stand before the word round that only name it: "Decrease Row", "Even rnd", "Set-up Row", "Inc. Rnd 5"; 0 for none."""
+    first = c.look()
+    if first is None or not first.capital:
+        return 0
+    shapes = first.value in ("inc", "dec", "even")
+    ahead = 1 + (shapes and c.mark(".", ahead=1))
+    if not shapes and (first.kind != "word" or first.value is not None):
+        return 0
+    if not shapes and c.mark("-", ahead=ahead) and c.kind("word", ahead + 1):
+        ahead += 2
+    return ahead if c.key("round", "row", ahead=ahead) else 0
 
 
 def list_of_numbers(c: Cursor, numbers: list[int], several: bool = False) -> bool:

@@ -14,6 +14,9 @@ from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
 _NTH: Final = r"\d+(?:st|nd|rd|th)|first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
 _CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
 _SC: Final = r"\w{2,6}"
+_ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
+_KIND: Final = "sc|hdc|dc|tr|single crochet|half double crochet|double crochet"
+_TURNED: Final = "(?:sc|single crochet)"
 
 _IDIOMS: Final = tuple(
     (re.compile(rf"(?<!\S){said}(?!\S)"), meant)
@@ -46,6 +49,21 @@ _IDIOMS: Final = tuple(
         (r"(\d+) scflo", "{1} sc in flo"),
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
+        # edgings, baskets, blankets
+        (rf"(?:working |work )?(?:from )?left to right(?: ,)?(?: (?:instead of|rather than|and not|not) (?:from )?right to left)?(?: ,)?(?: as (?:is )?(?:usual|normal))?(?: ,)? (?:work |make )?((?:1|one|a) )?(?:reverse |rev )?{_TURNED}", "{1} rev sc"),
+        (r"(double|half double|treble|single) crochet (front|back) post", "{2} post {1} crochet"),
+        (r"button - hole", "buttonhole"),
+        (r"evenly spaced", "evenly"),
+        (r"evenly (across|around|over|on) (?:the )?(?:row|last row|last round|rnd|round)", "evenly {1}"),
+        (r"(?:each|every) (ch|chain|chains) (?:of|in) (?:the )?(?:next )?(?:ch|chain) - (\d+) (?:sp|space|loop|lp)", "next {2} {1}"),
+        (rf"in (?:the )?(?:sps?|spaces?) between (?:each|every) (?:(?:2|two) )?({_ST})", "in each {1}"),
+        (rf"(?:in (?:the )?(?:sps?|spaces?) )?between (first|next|last) (?:2|two) ({_ST})", "in {1} {2}"),
+        (r"(?:continue|cont|continuing) to work in (sc|hdc|dc|single crochet|double crochet)", "work in {1}"),
+        (rf"(?:work|working|worked) (?:even )?in ({_KIND})(?: sts?| stitch(?:es)?)? (?:to (?:the )?end of (?:the )?(?:row|rnd|round)|across|around)", "{1} in each st around"),
+        (r"with (?:the )?(?:1st|2nd|3rd|4th|first|second|third|fourth|small|other|new) (?:small )?balls? of (\w+)", "with {1}"),
+        (r"with (?:the )?(?:1st|2nd|3rd|4th|first|second|third|fourth|small|other|new) (?:small )?ball(?: ,)?", ""),
+        (r"using (?:the )?(?:1st|2nd|3rd|4th|first|second|third|fourth|small|other|new) (?:small )?balls? of (\w+)", "using {1}"),
+        (rf"in (?:the )?(?:closest|nearest) ({_ST})", "in any {1}"),
         # the same round once more
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),

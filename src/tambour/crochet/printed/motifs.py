@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.language.stitches import CHAINS, STANDING, Stitch, into_one
-from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
@@ -119,6 +119,19 @@ def net(item: Item, stitches: dict[str, Stitch]) -> bool:
     return _spaced_item(item, stitches) and any(m.kind == "ch" for m in stitches[item.name].moves)
 
 
+def chained(line: Line, stitches: dict[str, Stitch]) -> bool:
+    """Whether chains may stand between the stitches that a round makes."""
+
+    def holds(item: Item) -> bool:
+        if isinstance(item, Group):
+            return any(map(holds, item.items))
+        return item.name in ("gap", "ch") or any(m.kind == "ch" for m in getattr(stitches.get(item.name), "moves", ()))
+
+    return any(map(holds, line.items)) or (
+        line.again is not None and any(chained(one, stitches) for one in line.again.lines)
+    )
+
+
 def _spaced_item(item: Item, stitches: dict[str, Stitch]) -> bool:
     return isinstance(item, Action) and item.name in stitches and stitches[item.name].where == "sp"
 
@@ -134,7 +147,7 @@ def as_they_come(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
             and isinstance(last, Group)
             and item.times is None
             and last.times is None
-            and not last.leaves
+            and not (last.leaves or last.until)
         ):
             into = [all(_spaced_item(i, stitches) for i in g.items) for g in (last, item)]
             if into == [False, True]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from typing import Final
 
@@ -14,6 +15,13 @@ from tambour.crochet.printed.tokens import Token
 
 _NEAR: Final = 4  # lines between what a piece begins with and its first round
 _LONGEST: Final = 14  # words of a sentence that begins a piece
+_BY_THE_WAY: Final = frozenset(
+    "larger smaller large small mm size g h i j e f us strand strands held together double doubled one two each and both slip knot slipknot "
+    "foundation chain leaving long tail inch inches cm yarn yarns main start starting referring chart table materials section shown at top right side "
+    "plus turning loosely twist twisted twisting careful taking care being placing marker circle make for facing edge lower bottom upper left column of multiple colour color crochet hook".split()
+)
+"""Words that a sentence which chains may hold beside its yarn, and that change nothing of what it makes."""
+_SHORTEST: Final = 2  # chains that a piece begins with
 _CAST: Final = 5  # words of a sentence that only chains
 _WORDS: Final = 6  # of a part's name
 
@@ -36,6 +44,36 @@ def founding(tokens: list[Token]) -> bool:
         return len(tokens) <= _LONGEST
     chained = any(t.kind == "stitch" and t.value == "ch" and c.whole(k + 1) is not None for k, t in enumerate(tokens))
     return chained and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
+
+
+def as_chain(p: State, tokens: list[Token]) -> list[Token]:
+    """A sentence that chains ("With A and larger hook, ch 21 (multiple of 4 + 1)") as "With A, ch 21", and joined where it says so; as it is
+    where it says no such thing."""
+    at = next((k for k, t in enumerate(tokens) if t.kind == "stitch"), len(tokens))
+    c = Cursor(tokens)
+    number = c.whole(at + 1) if at < len(tokens) and tokens[at].value == "ch" else None
+    if not number or number < _SHORTEST or any(t.value in ("not", "count", "round", "row") for t in tokens[:at]):
+        return tokens
+    hue = next(((k, found[1]) for k in range(at) if (found := p.palette.color(c, k)) is not None), None)
+    dyed = range(hue[0], sum(hue)) if hue is not None else range(0)
+    if any(t.kind == "word" and k not in dyed and t.word not in _BY_THE_WAY for k, t in enumerate(tokens[:at])):
+        return tokens  # a yarn that is not known, or another thing that is done
+    chain, rest = [tokens[at], tokens[at + 1]], tokens[at + 2 :]
+    if any(t.kind == "stitch" and t.value not in ("slst", "ch") for t in rest):
+        return tokens
+    more = next((b for a, b in pairwise(rest) if a.word in ("plus", "+") and isinstance(b.value, int)), None)
+    opened = next((k for k, t in enumerate(rest) if t.word in ("(", "[")), len(rest))
+    if any(t.kind == "word" and t.word not in _BY_THE_WAY for t in rest[:opened]):
+        return tokens
+    if more is not None and rest.index(more) < opened:
+        chain[1] = replace(chain[1], value=number + more.value)
+    led = [Token("key", "with", tokens[0].start, tokens[0].end, "with")]
+    led = [] if hue is None else [*led, *tokens[hue[0] : hue[0] + hue[1]]]
+    end = tokens[-1]
+    joined = (
+        [Token("key", "join", end.start, end.end, "join")] if any(t.value in ("slst", "join") for t in rest) else []
+    )
+    return [*led, *chain, *joined]
 
 
 def founds(p: State, at: int | None = None, near: int = _NEAR) -> bool:

@@ -45,6 +45,8 @@ from tambour.crochet.words.table import TERMS
 
 NOTHING: Final = "this holds no crochet instructions"
 _TAIL: Final = re.compile(r"\s*(?:[(\[][^()\[\]]{2,30}[)\]]|[-–—|]\s*\w+ \w+)\s*$")  # "(UK terms)", "- US terms"
+_ON: Final = frozenset("edging border trim ribbing ruffle hem shaping".split())
+"""What a piece goes on with at its last round, unless it says another place."""
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
 _LAST: Final = dict.fromkeys(("previous", "prev", "preceding"), "last")  # "of previous rnd"
@@ -339,7 +341,7 @@ class Printed(Headed):
             and (last.off is None or (self.heading is None and _rejoins(tokens, last.last - last.offset)))
             and (last.edge or 0) > 2
             and not _starts(tokens, ringed, self.heading is None)
-            and (self.heading is None or not self.heading.marked)
+            and (self.heading is None or not self.heading.marked or _goes_on(self.heading))
         ):
             self.heading = None
             last.offset, first = 0 if ringed else last.last, False
@@ -372,7 +374,15 @@ def _ends_line(tokens: list[Token], k: int) -> bool:
     """Whether asterisks at ``k`` stand between sentences, where a reference may name them."""
     before, after = tokens[k - 1] if k else None, tokens[k + 1] if k + 1 < len(tokens) else None
     named = before is not None and before.kind == "key" and before.value in ("from", "to", "as")
+    words = " ".join(t.word for t in tokens[k + 1 :]) if not named and tokens[k].word == "**" else ""
+    named = named or "* to **" in words.replace("** to **", "")  # "*… .** … rep from * twice, then from * to ** once"
     return not named and (after is None or before is None or before.word in (".", ")", "]"))
+
+
+def _goes_on(heading: Heading) -> bool:
+    """Whether a heading only names what the piece under way goes on with: "Top edging:", "Shape top:"."""
+    words = re.findall(r"[^\W\d_]+", heading.name.lower())
+    return heading.copies == 1 and bool(words) and (words[-1] in _ON or words[0] == "shape")
 
 
 def _starts(tokens: list[Token], ringed: bool, unheaded: bool) -> bool:

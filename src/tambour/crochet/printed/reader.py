@@ -109,12 +109,14 @@ class Reader(ABC):
         self.before: Where | None = None  # "in next st", said before its stitches
         self.edge: int | None = None  # stitches of the round below
         self.lying = False  # a round lies below, and its part goes round and round
+        self.solid = False  # no chain stands in that round
         self.marked: int | None = None  # which of them is marked
         self.standing: dict[int, bool] = {}  # chains that count as a stitch, or do not, in the whole text
         self.spaced: dict[
             int, int
         ] = {}  # chains that are a stitch and a space, in the whole text → chains of the space
         self.leaves = 0  # stitches at the end that the repeat just read leaves
+        self.until = 0  # the chain space that it goes to
         self.edging = False  # the sentence under way goes along an edge
         self.starred: tuple[Item, ...] = ()  # what stood between two asterisks, and is worked once more further on
         self.begun = 0  # where the sentence under way begins

@@ -29,7 +29,7 @@ def worked(
                 return None
             times = item.times
             if times is None:
-                if once[1] == 0:
+                if once[1] == 0 or item.until:
                     return None
                 times = max(0, edge - taken - item.leaves) // once[1]
             made, taken = made + once[0] * times, taken + once[1] * times

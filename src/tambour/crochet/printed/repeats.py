@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final, Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import things
-from tambour.crochet.printed.clauses import Where, to_last, where
+from tambour.crochet.printed.clauses import Where, to_last, to_space, where
 from tambour.crochet.printed.counts import (
     Times,
     bracketed_count,
@@ -165,10 +166,14 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
         if not c.mark(".") or not (later or _more_stitches(r)):
             break
         c.at += 1  # a sentence ends, the repeat goes on
+    partly = c.mark("**") and token.word == "*" and _ends_at(c.tokens[c.at + 1 :])
     if c.mark("*", "**"):
         c.at += 1
     if not inner:
         raise NotUnderstood(token, "nothing stands after this asterisk", "say what is repeated")
+    if partly:
+        _partly(r, found, inner, token.span)
+        return
     if not later and c.mark(".") and any(t.kind == "key" and t.value == "around" for t in c.tokens[c.at :]):
         found += inner  # a stray star: what goes around is said further on
         return
@@ -177,6 +182,40 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
         found.append(Group(r.starred, 1, token.span))
         return
     repeated(r, found, inner, token.span, star=True)
+
+
+def _ends_at(tokens: list[Token]) -> bool:
+    """Whether words behind a double asterisk say that the last repeat ends there: "ending last repeat at **", "then from * to ** once"."""
+    repeats = next((k for k, t in enumerate(tokens) if t.kind == "key" and t.value == "repeat"), None)
+    said = [t.value if t.kind == "key" else t.word for t in tokens[repeats:]] if repeats is not None else []
+    return any(b == "**" and a in ("at", "to", "with", "before", "in", "on") for a, b in pairwise(said))
+
+
+def _partly(r: Reader, found: list[Item], first: list[Item], span: Span) -> None:
+    """``*first** rest; repeat from * around, ending last repeat at **``: what stands before the double asterisk is worked once more than
+    what stands behind it."""
+    c = r.c
+    rest: list[Item] = []
+    while True:
+        _starred(r, rest)
+        if not c.mark("."):
+            break
+        c.at += 1
+    given = times(r, True)
+    many = given[0] if given is not False else None
+    begin = c.at
+    while (word := c.look()) is not None and not c.mark("**") and not c.kind("stitch"):
+        c.at += 1
+    once = c.key("from", ahead=begin - c.at) or any(t.value in ("from", "repeat") for t in c.tokens[begin : c.at][:4])
+    last = any(t.value == "last" for t in c.tokens[begin : c.at])
+    if word is None or not c.mark("**"):
+        raise NotUnderstood(c.tokens[begin - 1], "where the last repeat ends is not said", "ending last repeat at **")
+    c.at += 1
+    given = multiplier(r)
+    if many is None:
+        found += [*first, Group((*rest, *first), None, span)]
+    else:  # "rep from * twice more, then from * to ** once" is one more than "3 times, ending last repeat at **"
+        found += [Group((*first, *rest), many - (last and not once), span), *first]
 
 
 def again_later(r: Reader) -> bool:
@@ -264,6 +303,10 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
     """``inner`` as often as the words after it say, or into the one stitch that they name."""
     c = r.c
     begin = c.at
+    first = c.look()
+    c.at += (
+        not star and first is not None and first.word == "all" and c.key("in", ahead=1)
+    )  # "(sc, ch 3, sc) all in corner ch-3 sp"
     place = None if star else where(c)
     if place is not None and place.loops:
         given = times(r, star)
@@ -272,7 +315,7 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
         return
     if place is not None and place.kind != "loops":
         if place.kind == "around" and not place.each:
-            found.append(Group(tuple(inner), None, place.span))
+            found.append(Group(tuple(inner), None, place.span, place.leaves, place.until))
         else:
             found += _into(r, found, inner, place, span)
         return
@@ -281,12 +324,12 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
     if given is not False and given[0] and not star and (one := _one_place(r)) is not None:
         found += _into(r, found, [Group(tuple(inner), *given)], one, span)  # "(dc, ch 1) 6 times in ring"
         return
-    if star and any(isinstance(i, Group) and i.times is None for i in inner):
+    if star and any(isinstance(i, Group) and i.times is None and not i.until for i in inner):
         found += inner  # a stray star: what it holds goes around by itself
     elif given is not False and given[0] and again_into_ring(r, found, inner, given[0], span):
         pass
     elif given is not False:
-        found.append(Group(tuple(inner), *given, r.leaves if given[0] is None else 0))
+        found.append(Group(tuple(inner), *given, *((r.leaves, r.until) if given[0] is None else ())))
     elif star:
         found.append(Group(tuple(inner), None, span))
     else:
@@ -348,7 +391,7 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
     """How often, by the words at the cursor: a number, or None for around, and its place; False when nothing is said."""
     c = r.c
     begin = c.at
-    r.leaves = 0
+    r.leaves = r.until = 0
     while c.mark(",", ";", "-", ".", ":", "and") and (c.key("repeat", "around", ahead=1) or c.mark("x", ahead=1)):
         c.at += 1
     said = c.at if c.key("repeat") else -1
@@ -364,6 +407,9 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
         ):
             if c.key("to") and (many := to_last(c)) is not None:
                 r.leaves = many
+                return None, c.tokens[said].span
+            if c.key("to") and (until := to_space(c)):
+                r.until = until
                 return None, c.tokens[said].span
             if c.mark("*") and c.whole(1) is not None and not c.key("from", "to", "between", "and", ahead=-1):
                 break
@@ -403,6 +449,7 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
         c.at += 1
         if c.key("to"):
             r.leaves = to_last(c) or 0
+            r.until = 0 if r.leaves else to_space(c)
         return None, token.span
 
     if said >= 0:

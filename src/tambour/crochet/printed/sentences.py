@@ -39,7 +39,7 @@ from tambour.crochet.printed.hung import joined_in_loops
 from tambour.crochet.printed.items import EVENED, bare_count, evens, flat, lifts, lifts_alone, rings, smooths, works
 from tambour.crochet.printed.laid import laid
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
-from tambour.crochet.printed.opening import founding, founds, opening
+from tambour.crochet.printed.opening import as_chain, founding, founds, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.put import beside_the_point, finishing, stuffed
 from tambour.crochet.printed.reader import Body
@@ -108,7 +108,7 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
             any_read = True
         elif sentence and lefts and p.parts and p.parts[-1].last and bare_count(sentence) is not None:
             lefts.append(sentence)  # the count of what was not read
-        elif sentence and sentence_read(p, sentence):
+        elif sentence and (sentence_read(p, sentence) or _chained(p, sentence)):
             any_read = True
             if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
                 p.parts[-1].marks.append((p.starred, before if len(p.parts) == count else 0))
@@ -118,6 +118,12 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         elif sentence:
             lefts.append(sentence)
     return any_read
+
+
+def _chained(p: State, tokens: list[Token]) -> bool:
+    """One sentence that was not understood, right above the first round, as the chain that it begins the piece with; whether it is such."""
+    chained = as_chain(p, tokens) if founds(p, near=1) else tokens
+    return chained is not tokens and sentence_read(p, chained)
 
 
 def sentence_read(p: State, tokens: list[Token]) -> bool:

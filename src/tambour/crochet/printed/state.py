@@ -40,6 +40,7 @@ from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.risings import counting
 from tambour.crochet.printed.runs import listed, parted
 from tambour.crochet.printed.shades import spoken
+from tambour.crochet.printed.shells import shelled
 from tambour.crochet.printed.shorthand import numbered, signs
 from tambour.crochet.printed.stepped import stepped
 from tambour.crochet.printed.tables import tabled
@@ -125,7 +126,7 @@ class State:
             source.each = numbered_each(source.text.text)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
-            self.rows = echoed(told(counting(respun(ended(plainly(self.rows, self.vocabulary))))))
+            self.rows = echoed(told(counting(respun(ended(shelled(plainly(self.rows, self.vocabulary)))))))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]

@@ -59,6 +59,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         c.at += 4
         return
     place = r.before or where(c, name == "skip")
+    if place is not None and place.spaces and r.solid and not _chains(c.tokens, c.at) and name != "slst":
+        place.spaces = False  # "hdc in each space around", between the stitches of a round without chains
+        place.kind = "next" if place.kind == "space" else place.kind
+    if name == "skip" and place is not None and place.spaces and (chains := _chains(c.tokens, c.at)):
+        found.append(Action("skip", token.span, chains * place.count, place.span))  # one by one
+        return
     if (
         name == "skip"
         and place is not None
@@ -237,6 +243,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         found += _lower(r, found, name, before, after, token, place)
 
 
+def _chains(tokens: list[Token], end: int) -> int:
+    """How many chains the space has that ends before ``end``, "ch-2 sp"; 0 where that is not said."""
+    number = next((t for t in tokens[max(0, end - 3) : end] if t.kind == "number"), None)
+    return number.value if number is not None and isinstance(number.value, int) else 0
+
+
 def _own_chain(r: Reader, found: list[Item]) -> int:
     """How long the chain is that a piece begins with, where ``found`` is that alone and the place just read is a chain; 0 where not."""
     chain = found[-1] if found and r.edge is None and not r.depth and not any(map(makes, found)) else None
@@ -339,13 +351,13 @@ def _lower(
     if place.kind == "around":
         if k is None or k == 1:
             skipped = (Action("skip", place.span),) if place.other else ()
-            return [Group((Action(name, token.span), *skipped), None, place.span, place.leaves)]
+            return [Group((Action(name, token.span), *skipped), None, place.span, place.leaves, place.until)]
         if name in ("ch", "skip", "slst") or kind.makes != 1 or kind.takes != 1:
             return [Action(name, token.span, k, at)]
         if not place.each and before is not None and k < 4:
             r.ask("all", place.span)
         if place.each or (before is not None and k < 4 and "all" not in r.choices):
-            return [Group((together(r, [(kind, k)], token),), None, place.span, place.leaves)]
+            return [Group((together(r, [(kind, k)], token),), None, place.span, place.leaves, place.until)]
         return [Action(name, token.span, k, at)]
     if place.kind == "same" or (place.kind == "hook" and (k or 1) > 1):
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)

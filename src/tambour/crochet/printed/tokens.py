@@ -242,7 +242,7 @@ def _dotted(tokens: list[Token]) -> list[Token]:
 _DOTTED: Final = frozenset("dc sc ss hdc htr tr dtr slst blo flo mr".split())
 _STS: Final = frozenset("st sts stitch stitches".split())
 _ROUNDS: Final = frozenset("rnd rnds round rounds row rows r rd".split())
-_PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight
+_PAIRED: Final = frozenset(("from", "to", "between", "at"))  # "rep from ** to **", "ending at **": no weight
 _ASIDE: Final = 14
 """So many words may follow a bold name on its line: "**Body** (start with blue, at the nose)", "**Fins** make 2, in blue"."""
 _WEIGHTS: Final = frozenset(("**", "***", "****", "__", "___"))

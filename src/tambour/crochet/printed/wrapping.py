@@ -34,6 +34,10 @@ _STEP: Final = re.compile(
 _LABEL: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}(?:\([^()]{0,20}\)[ ]?)?:")
 _TITLE: Final = re.compile(r"[A-Z][^.:,;()]{1,40}(?:\([^()]{2,40}\)[ ]?){1,2}[.:]?$")  # "Wings (make 2)"
 _COPIES: Final = re.compile(r"[A-Za-z][\w /&-]{1,40}\((?:make|work) [^()]{1,20}\)")
+_UNENDED: Final = frozenset(
+    "in into each every next of the to from and with back front work working same first last".split()
+)
+"""Words that no sentence ends with, and the next line goes on from in small letters."""
 _SHORT: Final = 6  # words of a heading
 
 
@@ -54,6 +58,10 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
         above = rows[at - 1] if at else row
         if not (made and row.tokens and above.tokens) or row.marked or above.marked:
             made.append(row)
+            continue
+        open_ended = cut[at - 1] and above.tokens[-1].word in _UNENDED and text[row.start : row.start + 1].islower()
+        if open_ended and not _begins(text, above, row, False, begins):
+            made[-1] = Row([*made[-1].tokens, *row.tokens], made[-1].start, row.end, made[-1].marked)
             continue
         near = slice(max(0, at - _NEAR), at + _NEAR)
         width = whole or max(lengths[near])
