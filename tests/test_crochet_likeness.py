@@ -9,7 +9,7 @@ from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import in_rows
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, Hair, Placed
+from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from test_crochet_assembled import BODY, LIMBS, points, read, spot
@@ -196,3 +196,34 @@ def test_slip_stitches_back_along_a_chain_join_it_to_no_ring_and_a_leg_with_toes
         assert span.start in end and len(end) <= 3
     tube = "CUFF\nCh 24, join with sl st to first ch.\nRnd 1: ch 1, sc in each ch around (24)\nRnd 2: sc around (24)\nFasten off.\n\n"
     assert not in_rows(build(read(tube, "")).graph)[0]
+
+
+def test_ears_that_hang_from_the_top_of_a_head_point_to_its_sides_whatever_its_fabric_does_when_it_is_stuffed() -> None:
+    """Where fabric looks straight up, what is up along it is left to a trifle: both ears of a dog lay over its nose."""
+    pattern = read(
+        BODY + HEAD + LONG.format("EARS"),
+        "Sew the head to the body. Sew the ears to the top of the head.",
+        "Patch the dog",
+    )
+    records = of(pattern, "EARS")
+    assert len(records) == 2
+    for record in records:
+        assert record.points is not None and record.points[1] < 0.0
+    one, other = (record.points[0] for record in records)
+    assert one * other < 0.0
+
+
+def test_a_brow_over_the_left_eye_is_no_eye_of_thread() -> None:
+    said = (
+        "Sew the head to the body. Sew on eyes. Embroider a red mouth and a black eyebrow over the left eye as shown."
+    )
+    found = read(BODY + HEAD, said).finish
+    assert len([f for f in found if isinstance(f, Eye)]) == 2
+    assert {f.motif for f in found if isinstance(f, Embroidery)} == {"mouth", "brows"}
+
+
+def test_buttons_that_are_sewn_on_are_not_the_part_that_was_worked_last() -> None:
+    """A toy's ears were sewn to its chest, for its buttons."""
+    said = "Sew on buttons on center front of body.\nSew the head to the body."
+    pattern = read(BODY + HEAD + LIMBS.format("EARS", 2).rstrip() + f"\n{said}\n\n", "Sew on eyes.")
+    assert {f.spot.part for f in of(pattern, "EARS")} == {"HEAD"}

@@ -41,7 +41,8 @@ def motifs(text: str) -> list[str]:
     """What of :data:`WORDS` a sentence (in small letters) speaks of, in its order; places it is beside left out."""
     plain = re.sub(
         r"\b(?:below|under|beneath|above|over|between|beside|next to|in line with|level with|bottom of|top of|tip of|"
-        r"cent(?:er|re) of|sides? of|from|near|to|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around)\s+(?:the\s+|each\s+|both\s+|safety\s+|its\s+|your\s+)*(?:bottom of the )?"
+        r"cent(?:er|re) of|sides? of|from|near|to|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around)\s+"
+        r"(?:the\s+|each\s+|both\s+|safety\s+|its\s+|your\s+|left\s+|right\s+|his\s+|her\s+)*(?:bottom of the )?"
         r"(?:eyes?|nose|mouth|muzzle|snout|cheeks?|ears?|smile|eyebrows?)\b",
         " ",
         text,

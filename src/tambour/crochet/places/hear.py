@@ -62,7 +62,7 @@ _CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|open
 """A sentence that closes a part, and puts it nowhere."""
 _IT: Final = re.compile(
     r"(?:sew|stitch|attach|pin|place|position|glue|whipstitch|put|fasten|tack|secure|join|seam)\s+(?:it\b|them\b|these\b|"
-    r"this\b|(?:the )?(?:piece|circle|disc|disk|oval)\b|both\b|to\b|onto\b|on\b|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d+ (?:on|to|at|in|onto|each)\b|one\b|"
+    r"this\b|(?:the )?(?:piece|circle|disc|disk|oval)\b|both\b|to\b|onto\b|on\b(?! (?:\w+ )?(?:buttons|beads|sequins|bells?|ribbons?|pompoms?|bows?)\b)|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d+ (?:on|to|at|in|onto|each)\b|one\b|"
     r"evenly\b|down\b|across\b|centered\b|under\b|below\b|above\b|along\b|each\b|using\b|as\b)"
 )
 """A sentence that says what is done with the part that it stands in."""

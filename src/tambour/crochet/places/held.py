@@ -44,6 +44,8 @@ _LAID: Final = frozenset(
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
 BESIDE: Final = frozenset(("elephant", "monkey", "koala", "mouse", "chimp", "sloth", "sheep", "lamb", "cow", "giraffe"))
 """Toys, by their titles, whose ears are at the sides of their heads."""
+_LOW, _ON_TOP = 45.0, 0.8
+"""An ear that leans by so many degrees or more, where fabric looks upwards by so much, as a cosine, or more, points where it is said to."""
 _WIDE_ONES: Final = frozenset(("muzzle", "nose", "beak"))
 """Kinds of things that are wider than high on a face, where they are ovals."""
 _OVAL: Final = 1.25
@@ -147,6 +149,9 @@ class Holder(Beside):
         ahead = way.axis is not None and way.axis[2] > -_STEADY
         if put.kind in ("leg", "foot") and tilt and ahead and at.angle is None and spot.stitch is not None:
             record = replace(record, points=way.axis)  # which way a toy sits is not left to how its stuffing bulges
+        upwards = float(n @ self.stand.upright[host.part])
+        if put.kind == "ear" and tilt >= _LOW and upwards > _ON_TOP and way.axis is not None and at.angle is None:
+            record = replace(record, points=way.axis)  # which way is up on the top of a head is left to a trifle
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record
