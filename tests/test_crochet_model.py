@@ -31,6 +31,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot, Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
+from tambour.crochet.model import design as designing
 from tambour.crochet.model import seating, stance
 from tambour.crochet.model.assemble import Piece, Put
 from tambour.crochet.model.bends import GENTLE, arched, heights, leaning, needed
@@ -43,7 +44,7 @@ from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
 from tambour.crochet.model.geodesic import about, distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, resized, roundness, short, tried
-from tambour.crochet.model.named import names
+from tambour.crochet.model.named import Stands, _kind, names
 from tambour.crochet.model.nudged import Rest, alike, nudged
 from tambour.crochet.model.painted import painted
 from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, pair, poses
@@ -1056,6 +1057,28 @@ def test_what_would_fall_over_stands_on_its_feet_and_what_strides_looks_to_where
     assert mirror(stride, faces) is None
     ahead = stride @ facing(stride, faces, None).T
     assert ahead[first[1] : first[2], 2].mean() > 5.0
+
+
+def test_a_tail_that_stands_up_at_the_back_end_is_no_nose_though_it_leans_ahead() -> None:
+    way = np.array([0.0, 0.8, 0.6])
+    tail = Stands(0.55, 0.11, way, 21.0, False, False, 6.9, 0.03)
+    assert _kind(tail, False, 10.0, 40.0) == "Tail"
+    assert _kind(replace(tail, ahead=0.9), False, 10.0, 40.0) == "Trunk"
+
+
+def test_a_body_is_begun_at_two_tips_where_both_promise_as_much_and_the_nearer_one_is_kept(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    far = {"one": 0.5, "two": 0.3}
+    seen: list[str] = []
+
+    def looped(task: Any, first: Any, tries: int) -> Any:
+        seen.append(task.name)
+        return task, SimpleNamespace(price=far[task.name]), []
+
+    monkeypatch.setattr(designing, "_looped", looped)
+    begun: Any = [(SimpleNamespace(name=name), None) for name in ("one", "two")]
+    assert designing._best(begun, 3)[1].price == 0.3 and seen == ["one", "two"]
 
 
 def test_a_head_looks_to_where_its_small_forms_are_and_what_swims_is_not_turned_for_its_fins() -> None:

@@ -44,8 +44,9 @@ THIN = 3.0
 FINE, COARSE, MOVED = 1.0, 0.5, 0.1
 """The longest edge of the surface that rounds are led over, and how short they are at the least where it then moves by no more than
 the last, in stitches."""
-BEGINNINGS = 3
-"""How many tips are tried in the simulation, each corrected once."""
+BEGINNINGS, FINAL, CLOSE = 3, 2, 1.2
+"""How many tips are tried in the simulation, each corrected once; and from how many of these a whole loop goes on, those that come to no more than so
+many times what the best does."""
 LARGE = 4000
 """Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
 TURNED = 8
@@ -218,13 +219,13 @@ def _pieces(
         body, rest, groups = limbs(y, fine, plane, tell)
         said = names((body, rest), groups, {p.rounds.name for p in known})
     with progress.stage("rounds"):
-        task, first = _first(said[0], body, rest, plane, params, stitch)
-    if task.way.lost > LOST:
-        tell.append(f"{100 * task.way.lost:.0f} % of {said[0]} is left out: bumps beside the way of its rounds")
-    count = sum(first.counts)
+        begun = _begun(said[0], body, rest, plane, params, stitch)
+    count = sum(begun[0][1].counts)
     tries = max(2, round(TRIES * min(1.0, LARGE / max(count, 1))))
     with progress.stage("loop"):
-        task, best, history[said[0]] = _looped(task, first, tries)
+        task, best, history[said[0]] = _best(begun[: FINAL if count < LARGE else 1], tries)
+    if task.way.lost > LOST:
+        tell.append(f"{100 * task.way.lost:.0f} % of {said[0]} is left out: bumps beside the way of its rounds")
     made = [Piece(best.rounds, best, task.target, faithful(task, best), (best.goal,), (best.lain,), (None,), ((0, 0),))]
     targets = [[task.target]]
     for title, group in zip(said[1:], groups):
@@ -256,12 +257,17 @@ def _looped(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[flo
     return task, best, [round(v, 4) for v in way]
 
 
-def _first(
+def _best(begun: list[tuple[Task, Tried]], tries: int) -> tuple[Task, Tried, list[float]]:
+    """The best that comes of several beginnings, each led through the whole loop: which one promises most does not tell."""
+    return min((_looped(task, first, tries) for task, first in begun), key=lambda end: end[1].price)
+
+
+def _begun(
     name: str, x: Array, faces: Array, plane: tips.Mirror | None, params: CrochetParams, stitch: tuple[float, float]
-) -> tuple[Task, Tried]:
-    """The task of a body worked in one piece, with its first rounds, from the tip that the simulation likes best."""
+) -> list[tuple[Task, Tried]]:
+    """The tasks of a body worked in one piece, with its first rounds, from the tips that the simulation likes best, the best first."""
     target = Target.of(x, faces)
-    best: tuple[float, Task, Tried] | None = None
+    found: list[tuple[float, Task, Tried]] = []
     for tip, f in tips.choose(target, plane, params.tip, BEGINNINGS):
         rows = max(3, round(float(f.max()) * stitch[0] / stitch[1]) - 1)
         way = fronts(x, faces, f, rows, tip)
@@ -282,10 +288,9 @@ def _first(
             )
         now = tried(task, task.way.girths)
         price = min(now.distance.mean, tried(task, corrected(task, now, STEP)).distance.mean)
-        if best is None or price < best[0]:
-            best = price, task, now
-    assert best is not None
-    return best[1:]
+        found.append((price, task, now))
+    found.sort(key=lambda one: one[0])
+    return [(task, now) for price, task, now in found if price <= CLOSE * found[0][0]]
 
 
 def _way(limb: Limb, stitch: tuple[float, float], long: float) -> Fronts:

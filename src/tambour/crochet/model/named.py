@@ -27,6 +27,8 @@ WHIP = 5.0
 """What stands upright on a body that lies, and is longer than so many times what it is wide, is no fin."""
 ASIDE = 0.15
 """What is single and begins so far beside the middle is no nose, trunk or tail."""
+BEHIND = 0.2
+"""What is single, long and stands up so near to the back end is a tail, even where it leans ahead over the back."""
 FIN, TRUNK = 0.55, 2.6
 """A fin is shorter than this share of what the body is wide, a nose than so many times what it is wide: else a wing, a trunk."""
 
@@ -129,7 +131,7 @@ def _kind(one: Stands, lies: bool, wide: float, size: float) -> str:
         return "Leg"
     if one.aside > ASIDE and one.slim > 1.0 and one.up < 0.62 and not one.flat:  # one whose twin goes on into the body
         return "Leg" if one.up < 0.4 else "Arm"
-    if ahead < -0.5 or (lies and one.ahead < 0.25):
+    if ahead < -0.5 or (lies and one.ahead < 0.25) or (up > 0.5 and one.ahead < BEHIND and one.slim > TRUNK):
         return "Tail Fin" if one.flat and lies else "Tail"
     if lies and up > 0.5:
         if one.slim > WHIP:
