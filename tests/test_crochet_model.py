@@ -1021,6 +1021,22 @@ def test_bodies_that_go_into_each_other_are_one_skin_and_others_are_told() -> No
     assert len(bodies(Mesh(*globe(10.0)), far)) == 1 and not far
 
 
+def test_holes_that_touch_at_a_corner_are_closed_and_what_hangs_on_an_edge_is_left_out() -> None:
+    x, faces = globe(10.0, 16)
+    told: list[str] = []
+    about = np.flatnonzero((faces == 200).any(1)).tolist()
+    one, other = next((a, b) for a in about for b in about if len({*faces[a], *faces[b]}) == 5)  # one corner in common
+    holed = np.delete(faces, [one, other], axis=0)
+    found = bodies(Mesh(x, holed), told)
+    assert told == ["2 small holes of the model were closed"] and len(found[0][1]) == len(holed) + 6
+    flap = np.array([[*faces[3, :2], len(x)]])
+    told = []
+    found = bodies(Mesh(np.vstack([x, 1.3 * x[faces[3, 0]]]), np.vstack([faces, flap])), told)
+    assert told == ["1 triangle hanging on the model by an edge is left out"] and len(found[0][1]) == len(faces)
+    with pytest.raises(TambourError, match="more than two triangles"):  # a wall across it
+        bodies(Mesh(BOX, np.vstack([SIDES, [[0, 1, 6], [0, 6, 7]]])), [])
+
+
 def test_a_model_far_from_its_origin_keeps_its_inside() -> None:
     found = bodies(Mesh(BOX + 9e8, SIDES), [])
     assert volume(*found[0][:2]) == pytest.approx(1.0, rel=1e-3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +23,8 @@ THIN = 1e-3
 FLAT = "the model is flat: it holds nothing", "give it thickness; stuffing needs an inside"
 CRUMB = 0.01
 """A body with a smaller share of the area than this is left out, with a word."""
+HUNG = 0.01
+"""Triangles that hang on a skin by an edge are left out where they are less than this share of its surface; more is a sheet that was meant."""
 
 
 def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
@@ -133,14 +136,14 @@ def volume(vertices: Array, faces: Array) -> float:
 
 def _closed(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[Array, Array, Array]:
     extent = np.sort(np.ptp(x, axis=0))
-    pairs = np.sort(np.concatenate([faces[:, :2], faces[:, 1:], faces[:, ::2]]), axis=1)
-    _, count = np.unique(pairs, axis=0, return_counts=True)
-    if (count > 2).any():
+    faces = _unflapped(x, faces, tell)
+    count = _shared(faces)
+    if more := len(np.unique(count[0][count[1] > 2])):
         raise TambourError(
-            f"the model is no single skin: {int((count > 2).sum())} edges belong to more than two triangles",
+            f"the model is no single skin: {more} edge{'s belong' if more > 1 else ' belongs'} to more than two triangles",
             hint="join its parts into one body (a boolean union, or a remesh) and remove walls inside it",
         )
-    if (count == 1).any():
+    if (count[1] == 1).any():
         x, faces, origin = closed_up(x, faces, origin, tell)
     faces = _oriented(faces)
     if volume(x, faces) < 0.0:
@@ -161,6 +164,32 @@ def _closed(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[Arr
     if holes > 0:
         raise Handles(x, faces, holes)
     return x, faces, origin
+
+
+def _shared(faces: Array) -> tuple[Array, Array]:
+    """Of every side (F, 3) of the faces the number of its edge, and how many faces have that."""
+    pairs = np.sort(np.concatenate([faces[:, :2], faces[:, 1:], faces[:, ::2]]), axis=1)
+    _, place, count = np.unique(pairs, axis=0, return_inverse=True, return_counts=True)
+    place = place.reshape(3, -1).T
+    return place, count[place]
+
+
+def _unflapped(x: Array, faces: Array, tell: list[str]) -> Array:
+    """The faces without those few that only hang on a skin: on edges that are whole without them, with nothing on their other sides."""
+    left = faces
+    while True:
+        _, count = _shared(left)
+        hangs = (count > 2).any(1) & (count != 2).all(1) & (count == 1).any(1)
+        if not hangs.any() or hangs.all():
+            break
+        left = left[~hangs]
+    if area(x, left).sum() < (1.0 - HUNG) * area(x, faces).sum():
+        return faces
+    if less := len(faces) - len(left):
+        tell.append(
+            f"{less} triangle{'s' if less > 1 else ''} hanging on the model by an edge {'are' if less > 1 else 'is'} left out"
+        )
+    return left
 
 
 class Handles(TambourError):
@@ -239,13 +268,18 @@ def closed_up(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[A
     for begin in sorted(after):
         while after.get(begin):
             loop, at = [begin], after[begin].pop()
-            while at != begin and after.get(at):
+            while at not in loop and after.get(at):
                 loop.append(at)
                 at = after[at].pop()
+            if at in loop[1:]:  # holes that touch at a corner are two: the way up to it is walked again
+                after[begin].append(loop[1])
+                for one, other in pairwise(loop[1 : loop.index(at) + 1]):
+                    after[one].append(other)
+                loop = loop[loop.index(at) :]
             ring = x[loop]
             middle = ring.mean(0)
             across = 0.5 * np.sqrt((np.cross(ring - middle, np.roll(ring, -1, 0) - middle) ** 2).sum(1)).sum()
-            if at != begin or len(loop) < 3 or across > 0.1 * total:
+            if at != loop[0] or len(loop) < 3 or across > 0.1 * total:
                 share = round(100 * across / max(total, 1e-300))
                 raise TambourError(
                     f"the model is open: a hole with a rim of {len(loop)} edges, {share} % of the surface",
