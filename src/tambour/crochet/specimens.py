@@ -93,7 +93,9 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "fur": ("fur stitches", _tube("24 sc", "24 fur", "24 sc", "24 fur", "24 sc")),
     "granny": (
         "a granny square",
-        _FLAT + "R1: MR{[3 dc, 2 ch] x 4}, join\nR2: [3 sk, sp{3 dc, 2 ch, 3 dc}, ch] x 4, join\n",
+        _FLAT
+        + "@up = start\nR1: MR{ch3dc, 2 dc, 2 ch, [3 dc, 2 ch] x 3}, join\nR2: [sp{3 dc, 2 ch, 3 dc}, ch] x 4, join\n"
+        + "R3: [sp{3 dc, 2 ch, 3 dc}, ch, sp{3 dc}, ch] x 4, join\n",
     ),
 }
 """Name → what it is called, and its pattern."""

@@ -18,7 +18,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.render.cover import cover, turn
 
-TOUCHES: Final = ((0.012, 0.85, 1.0), (0.055, 0.7, 0.6))
+TOUCHES: Final = ((0.012, 0.85, 1.0), (0.055, 0.55, 0.6))
 """How high a gap under a thing is, in its sizes, that a third as much light gets into; what part of it is kept out where it stands; how
 far that reaches beside it, in gaps. Where it touches, and close above: without the second what stands on few places hovers."""
 FLAT: Final = 2.5

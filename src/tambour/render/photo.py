@@ -116,7 +116,7 @@ def picture(
     light = thing[..., :3] + (1.0 - thing[..., 3:]) * behind
     high, wide = light.shape[:2]
     # Glass and film scatter a little of what is bright.
-    light = 0.985 * light + 0.015 * _blurred(light, 0.012 * max(high, wide))
+    light = 0.975 * light + 0.025 * _blurred(light, 0.012 * max(high, wide))
     y, x = np.linspace(-1.0, 1.0, high)[:, None], np.linspace(-1.0, 1.0, wide)[None]
     square = 0.5 * (x * x + y * y)
     light = light * (1.0 - FALLOFF * square)[..., None] * _exposure(made.light)
