@@ -24,6 +24,7 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
 from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, near, spline, surface, upright
+from tambour.crochet.yarn.fibres import KINDS
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -715,3 +716,13 @@ def test_a_closed_end_is_drawn_together() -> None:
     assert np.quantile(far[own], 0.1) < 0.5 and np.quantile(far[own], 0.3) < 0.9
     # What is nearest to the middle lies no higher than the legs about it: nothing is wound about it outside.
     assert high[far < 0.7].max() < np.quantile(high[own & (far > 0.8) & (far < 1.4)], 0.9) + 0.1
+
+
+def test_a_leg_of_a_v_shows_its_plies() -> None:
+    """At 13 radii a turn of the twist a leg crossed less than one groove, and nobody saw that it was plied."""
+    leg = loops.SINGLE[14:18]  # outside, from its top to its hole
+    long = float(np.sqrt((np.diff(leg, axis=0) ** 2).sum(1)).sum()) + 0.25  # and as far again as its ends are round
+    radii = long / (0.5 * loops.RATIO * loops.BLOOM * fabric.SWOLLEN)
+    assert 1.3 < KINDS["wool"].plies * radii / fabric.LAY < 3.0
+    # Where it is twisted least, it still is.
+    assert fabric.WANDER * (2.1 + 2.2 * 0.57 + 0.5 * 4.3) < 0.4

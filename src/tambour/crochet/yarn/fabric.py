@@ -241,9 +241,9 @@ NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
 SLUB, THIN = 9, 0.07
 """Yarn grows thicker and thinner every so many points, by so much of its radius."""
-GROOVE = 0.2
+GROOVE = 0.22
 """How deep the plies of such yarn lie apart in its outline, in radii drawn."""
-WANDER = 0.09
+WANDER = 0.06
 """Yarn is twisted more and less along its way, by so many turns."""
 SWOLLEN = 1.08
 """Spun yarn that gives way to its neighbours is drawn so much thicker: legs of Vs touch, and leave no web of heads to be seen between them."""
@@ -251,8 +251,8 @@ PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 9.5
-"""Radii along which plies wind once about the yarn: they lie 33 degrees to its way, as in worsted of four plies. At 13 a leg of a V showed one
+LAY = 8.2
+"""Radii along which plies wind once about the yarn: they lie 37 degrees to its way, as in worsted of four plies. At 13 a leg of a V showed one
 shallow groove, and nobody saw plies; at 7.5 the leg that leans against the twist showed them lying along it, and the other a corkscrew."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
