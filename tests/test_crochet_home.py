@@ -87,3 +87,17 @@ def test_a_group_that_the_text_names_is_its_stitches(words: str, made_of: tuple[
     text = f"{top}Round 2: Ch 1, *sc in next st, skip next st, {made_of[1]} in next st, skip next st; rep from * around; join.\n"
     pattern = read(Text(text, "coaster.txt"))
     assert not pattern.unread and build(pattern).worked[-1].made == made_of[0]
+
+
+@pytest.mark.parametrize(
+    "words", ["h-inc (hdc increase) = 2 hdc in next st.", "h-inc = 2 hdc in same st", "h-inc: 2 hdc in one st"]
+)
+def test_an_increase_that_the_text_names_is_one(words: str) -> None:
+    text = f"HAT\n\nABBREVIATIONS\n{words}\n\nINSTRUCTIONS\nCh 3; join.\nRound 1: Ch 2, 10 hdc in ring; join.\nRound 2: Ch 2, [h-inc, hdc in next hdc] 5 times; join – 15 sts.\n"
+    built = build(read(Text(text, "hat.txt")))
+    assert built.worked[-1].made == 15 and not built.warnings
+
+
+def test_stitches_without_the_word_in_are_no_count() -> None:
+    rows = made(f"{ROWS}Row 2: Ch 1. 1 sc first st. 2 sc next st. 1 sc in each st to last st. 1 sc last st. Turn.\n")
+    assert rows[-1] == (21, 21)

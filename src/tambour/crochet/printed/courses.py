@@ -69,6 +69,7 @@ class Courses(Reader):
         fits = found_at is not None or (tail and first.capital)
         if (
             not fits
+            or not clause
             or not (led_by or (tail and found))
             or any(t.kind == "stitch" and t.value != "ch" for t in clause[1:])
         ):

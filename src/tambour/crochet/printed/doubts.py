@@ -148,12 +148,12 @@ def decided(
         if done is not None and done[0] == body.stated:  # the row is turned there, and the rest is for another piece
             body.items = rest_left(body.items, edge, source.stitches)
     if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
-        run = _run_on(body.items, edge, source.stitches)
-        if run is not None and after(run, edge, source.stitches) == body.stated:
-            body.items = run
-            source.doubt(
-                "the last repeat runs on to where it ends", "say what the last stitches are", body.items[-1].span
-            )
+        for other in (body, *([read(frozenset(("stands",)))] if "stands" in body.asked else [])):
+            run = _run_on(other.items, edge, source.stitches)
+            if run is not None and after(run, edge, source.stitches) == body.stated:
+                body, body.items = other, run
+                source.doubt("the last repeat runs on to where it ends", "say what the last stitches are", run[-1].span)
+                break
     body.fit = fit(body) if body.refers is None else 2
     if body.fit == 2 and body.stated is not None and edge and chain is None:
         body.items = _without_rest(body.items, edge, source.stitches)
@@ -255,6 +255,9 @@ def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[I
         for item in group.items:
             kind = stitches.get(item.name) if isinstance(item, Action) else None
             fits = left // kind.takes if kind is not None and kind.takes else 0
+            if isinstance(item, Action) and item.name in ("color", "flo", "blo", "bl"):
+                more.append(item)
+                continue
             if kind is None or not fits or not isinstance(item, Action):
                 break
             more.append(replace(item, times=min(fits, item.times)))

@@ -340,8 +340,11 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     Gives its spellings and the usual stitch that it is nearest to: the one that its name ends with, or that its
     explanation names first.
     """
-    at = next((k for k, t in enumerate(tokens[:7]) if t.word in ("=", ":")), 0)
+    at = next((k for k, t in enumerate(tokens[:9]) if t.word in ("=", ":")), 0)
     name, said = tokens[:at], tokens[at + 1 :]
+    opened = next((k for k, t in enumerate(name) if k and t.word in ("(", "[")), 0)
+    if opened and _grown(said):
+        name = name[:opened]  # "h-inc (hdc increase) = 2 hdc in next st"
     if len(name) == 1 and name[0].kind == "stitch" and said and name[0].word.endswith("st"):
         return [name[0].word.replace(" - ", "-") + "s"], name[0].value  # its plural
     if not name or not said or len(name) > 6 or (len(name) == 1 and name[0].kind == "stitch"):
@@ -349,6 +352,8 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     if any(t.kind in ("number", "ordinal") or t.word in "()[]" for t in name):
         return None
     whole = "-".join(t.word for t in name if t.word != "-")
+    if grown := _grown(said):
+        return [whole, f"{whole}s"], grown
     if len(name) > 1 and name[-1].value in _LOOPED:  # "shaggy loop stitch = …"
         return [whole, f"{whole}s"], name[-1].value
     stitch = any(t.kind == "stitch" or (t.kind == "key" and t.value == "stitch") for t in name)
@@ -370,6 +375,15 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
         return [whole, f"{whole}s"], "loopst"
     kind = (named[-1:] or [glued] if named or glued else kinds[:1])[0]
     return [whole, f"{whole}s", whole.replace("-st", "-sts")], kind
+
+
+def _grown(said: list[Token]) -> str:
+    """The increase that an explanation says, "2 hdc in next st"; "" for none."""
+    if len(said) < 3 or said[0].kind != "number" or said[0].value not in (2, 3) or said[2].value != "in":
+        return ""
+    kind = said[1].value if said[1].value in _KINDS else ""
+    many = "" if said[0].value == 2 else said[0].value
+    return f"{'' if kind == 'sc' else kind}inc{many}" if kind else ""
 
 
 def _close(tokens: list[Token]) -> int:
