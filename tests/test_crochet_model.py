@@ -41,7 +41,7 @@ from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
-from tambour.crochet.model.geodesic import about, distances, girth
+from tambour.crochet.model.geodesic import about, distances, girth, lines
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, resized, roundness, short, tried
 from tambour.crochet.model.named import Stands, _kind, names
@@ -1035,6 +1035,13 @@ def test_holes_that_touch_at_a_corner_are_closed_and_what_hangs_on_an_edge_is_le
     assert told == ["1 triangle hanging on the model by an edge is left out"] and len(found[0][1]) == len(faces)
     with pytest.raises(TambourError, match="more than two triangles"):  # a wall across it
         bodies(Mesh(BOX, np.vstack([SIDES, [[0, 1, 6], [0, 6, 7]]])), [])
+
+
+def test_lines_of_an_open_surface_have_room_for_both_of_their_ends() -> None:
+    many = 20_000  # each leaves a line of one segment and two points: with room for one the heap was written over
+    x = np.tile([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], (many, 1))
+    faces = np.arange(3 * many).reshape(many, 3)
+    assert lines(x, faces, x[:, 0], 0.5) == []
 
 
 def test_a_model_far_from_its_origin_keeps_its_inside() -> None:

@@ -126,8 +126,8 @@ def distances(
 def _link(first: I8x1, second: I8x1, other: I8x2, made: I8x1, ends: I8x1) -> int:
     """Chain segments into loops: segment s leads from crossing first[s] to second[s].
 
-    other : (C, 2) room for the two segments of every crossing, -1 at first; made : (S,) the crossings in order of the
-    loops; ends : (S,) where each loop ends. Gives how many loops there are.
+    other : (C, 2) room for the two segments of every crossing, -1 at first; made : (2 S,) the crossings in order of the
+    loops, of a line that is open one more than it has segments; ends : (S,) where each loop ends. Gives how many loops there are.
     """
     for s in range(len(first)):
         for c in (first[s], second[s]):
@@ -179,7 +179,7 @@ def lines(vertices: Array, faces: Array, f: Array, value: float) -> list[Array]:
     p, q = np.divmod(key, n)
     share = ((value - f[p]) / (f[q] - f[p]))[:, None]
     points = vertices[p] + np.clip(share, 0.0, 1.0) * (vertices[q] - vertices[p])
-    made, ends = np.zeros(len(first), np.int64), np.zeros(len(first), np.int64)
+    made, ends = np.zeros(2 * len(first), np.int64), np.zeros(len(first), np.int64)
     count = _link(first, second, np.full((len(key), 2), -1, np.int64), made, ends)
     begins = np.concatenate([[0], ends[: count - 1]])
     return [points[made[i:j]] for i, j in zip(begins, ends[:count]) if j - i > 2]
