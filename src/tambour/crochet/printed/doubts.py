@@ -154,6 +154,11 @@ def decided(
                 body, body.items = other, run
                 source.doubt("the last repeat runs on to where it ends", "say what the last stitches are", run[-1].span)
                 break
+        else:
+            if wide := next((w for w in _all_around(body.items) if after(w, edge, source.stitches) == body.stated), None):
+                body.items = wide
+                said = "all that is said is read as repeated around: the count speaks for it"
+                source.doubt(said, "put what is repeated in brackets", body.items[-1].span)
     body.fit = fit(body) if body.refers is None else 2
     if body.fit == 2 and body.stated is not None and edge and chain is None:
         body.items = _without_rest(body.items, edge, source.stitches)
@@ -264,6 +269,25 @@ def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[I
             left -= kind.takes * min(fits, item.times)
         return [*items[: k + 1], *more, *items[k + 1 :]] if more and not left else None
     return None
+
+
+_INTO_ONE: Final = re.compile(r"inc([3-9]?)")
+
+
+def _all_around(items: list[Item]) -> list[list[Item]]:
+    """``items`` with all that stands before the stitch that goes around repeated with it, "sc 2, dec around" as "(sc 2, dec) around", and
+    "inc, 3 sc around", three of which would be in one stitch, as "(inc, 3 sc) around"; none where nothing stands before it."""
+    lead, rest = led(items)
+    at = next((k for k, i in enumerate(rest) if isinstance(i, Group)), 0)
+    group = rest[at] if at else None
+    plain = isinstance(group, Group) and group.times is None and not group.leaves and len(group.items) == 1
+    if not plain or not isinstance(group, Group) or not all(isinstance(i, Action) for i in rest[:at]):
+        return []
+    last = group.items[0]
+    ways = [last]
+    if isinstance(last, Action) and last.times == 1 and (found := _INTO_ONE.fullmatch(last.name)) is not None:
+        ways.append(replace(last, name="sc", times=int(found[1] or 2)))
+    return [[*lead, replace(group, items=(*rest[:at], way)), *rest[at + 1 :]] for way in ways]
 
 
 def _without_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:

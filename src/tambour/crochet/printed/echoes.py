@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from itertools import accumulate, takewhile
 from typing import Final
@@ -34,7 +34,7 @@ _IN: Final = r"(?:(?: ,)?(?: all| but| only| worked)* in (?:the )?(?P<hue>[^\W\d
 _YARNED: Final = (
     r"(?: ,)?(?: (?:in|with|using) (?:the )?(?P<hue>[^\W\d_]{1,12}(?: (?!only|yarn)[^\W\d_]{3,12})?)(?: yarn)?)?"
 )
-_WORK: Final = r"(?:work|make|do|crochet|complete|start|begin|repeat|rep|follow|see|proceed|continue|cont)(?: with| by working| by making| with working)?"
+_WORK: Final = r"(?:work|make|do|crochet|complete|start|begin|repeat|rep|follow|see|copy|refer to|consult|proceed|continue|cont)(?: with| by working| by making| with working)?"
 _EACH: Final = r"(?:(?:1|one|a) )?(?P<st>sc|dc|single crochet|double crochet|single crochets)(?: stitch)?(?: (?:in|into) (?:each|every|all|the)(?: of the)? ?(?:st|sts|stitch|stitches|sc|dc)?| evenly| even)?(?: around| all around| round)?(?: , | )?"
 _PLAIN: Final = (
     r"(?:without (?:any )?(?:further |more )?(?:shaping|increas\w+|decreas\w+|inc|incs|dec|change\w*)(?: or (?:decreas\w+|dec))?"
@@ -49,7 +49,7 @@ def _number(said: str | None) -> int:
     return 0 if not said else _COUNTS[said] if said in _COUNTS else ORDINALS.get(said) or int(re.sub(r"\D", "", said))
 
 
-def _rounds(m: re.Match[str]) -> str:
+def _rounds(m: re.Match[str] | Mapping[str, str | None]) -> str:
     """The rounds that a match names, ``rounds 1 - 3``."""
     first = 1 if m["few"] else _number(m["a"] or m["c"])
     last = _number(m["few"]) or _number(m["b"] or m["d"]) or first
@@ -70,8 +70,9 @@ def _up_to(m: re.Match[str]) -> str:
 
 def _again(m: re.Match[str]) -> str:
     """A round of the same piece so many times more."""
-    which = m.groupdict().get("which")
-    return f"repeat {f'round {_number(which)}' if which else 'last round'} {_number(m['n'])} times"
+    said = m.groupdict()
+    which, many = said.get("which"), _number(said["n"]) if "n" in said else _number(said["total"]) - 1
+    return f"repeat {f'round {_number(which)}' if which else 'last round'} {many} times"
 
 
 def _even(m: re.Match[str]) -> str:
@@ -79,15 +80,19 @@ def _even(m: re.Match[str]) -> str:
 
 
 _SHAPE: Final = r"(?:inc|incs|increases?|increasing|increased|dec|decs|decreases?|decreasing)"
+_WIDER: Final = r"(?:(?:extra|more|additional|less|fewer) \w+|\w+ (?:extra|more|less|fewer)) (?:between|before|after)\b"
+_ONCE_MORE: Final = rf"(?:rep|repeat|repeating|as|as for|as in|same as|like)(?: the)? (?:(?:last|previous|prev|same|this) {_RN}|{_RN} {_N}|{_TH} {_RN})\b"
 _ON: Final = re.compile(
-    r"^(?!.*\b(?:without|no|even|straight|plain)\b)(?:(?:cont|continue|continuing|keep|carry on|go on|proceed|work|rep|repeat)\b(?=.*\b(?:this way|this manner|(?:same way|same manner)\b.*(?:until|till)|as set|as established|in patt\w*|as before|"
-    rf"{_SHAPE}|(?:extra|more|additional) \w+ (?:between|before|after))\b)(?=.*(?:until|till|\d+ (?:more |further |additional )?(?:rounds?|rnds?)\b))"
+    rf"^(?:work |then )?{_ONCE_MORE}(?=.*\b(?:\d+|one) {_WIDER})(?=.*(?:\btimes\b|\btwice\b|\bthrice\b|\buntil\b|\btill\b))"
+    rf"|^(?:cont|continue|keep)\b(?=.*\b(?:this way|this manner|as before|as set)\b)(?=.*\b{_SHAPE}\b)(?=.*\b\d+ (?:more )?times\b)"
+    r"|^(?!.*\b(?:without|no|even|straight|plain)\b)(?:(?:cont|continue|continuing|keep|carry on|go on|proceed|work|rep|repeat)\b(?=.*\b(?:this way|this manner|(?:same way|same manner)\b.*(?:until|till)|as set|as established|in patt\w*|as before|"
+    rf"{_SHAPE}|(?:extra|more|additional|less|fewer) \w+ (?:between|before|after))\b)(?=.*(?:until|till|\d+ (?:more |further |additional )?(?:rounds?|rnds?)\b))"
     rf"|{_SHAPE} (?:by )?\d+ (?:sts?|sc|dc|stitches|times)? ?(?:evenly )?(?:spaced )?(?:in|on|per|at)? ?(?:each|every|per) (?:rounds?|rnds?)(?=.*(?:until|till))"
     r"|(?:work )?\w+ (?:more |further |additional )?(?:rounds|rnds)\b(?=.*\b(?:in this way|as set|(?:extra|more|additional) \w+ between)\b))"
 )
 """Sentences of rounds that go on as they began: :mod:`tambour.crochet.printed.established` works them."""
 _ON_SAID: Final = re.compile(
-    rf"^(?:as set|as established|(?:cont\w*|keep\w*)(?: on)?(?: to)? {_SHAPE}|(?:cont\w*) (?:as|in)(?! (?:\w+ ){{0,2}}(?:spirals?|rounds?|rnds?|rows?)\b(?! until))|{_SHAPE} (?:by )?\d+ (?:sts?|sc|dc|stitches|times)? ?(?:evenly )?(?:spaced )?(?:in|on|per) (?:each|every)? ?(?:rounds?|rnds?))"
+    rf"^(?:(?:work |worked |are worked )?{_ONCE_MORE}(?=.*\b(?:\d+|one) {_WIDER})|as set|as established|(?:cont\w*|keep\w*)(?: on)?(?: to)? {_SHAPE}|(?:cont\w*) (?:as|in)(?! (?:\w+ ){{0,2}}(?:spirals?|rounds?|rnds?|rows?)\b(?! until))|{_SHAPE} (?:by )?\d+ (?:sts?|sc|dc|stitches|times)? ?(?:evenly )?(?:spaced )?(?:in|on|per) (?:each|every)? ?(?:rounds?|rnds?))"
 )
 _Rule = tuple[re.Pattern[str], Callable[[re.Match[str]], str]]
 
@@ -115,6 +120,11 @@ _BEGUN: Final = _rules(  # whole sentences, without the head of a round
         rf"(?:rep|repeat|work|do|make) {_RN} (?P<which>\d+)(?: again)? for (?:the )?(?:next )?(?P<n>{_N})(?: more)? {_RN}",
         _again,
     ),
+    (
+        rf"(?:rep|repeat)(?: {_RN} (?P<which>\d+)| (?:the |this )?(?:last|previous|same|this)? ?{_RN}) for a total of (?P<total>{_N}) {_RN}{_STOP}",
+        _again,
+    ),
+    (rf"(?:rep|repeat)(?: this| the same| it| that)? for (?:the )?next (?P<n>{_N}) {_RN}{_STOP}", _again),
     (
         rf"(?:rep|repeat|work|do|make)(?: {_RN} (?P<which>\d+)| (?:the |this )?(?:last|previous|same|this)? ?{_RN})(?: again)? ?,?(?: another| a further| for)? \(? ?(?P<n>{_N}|thrice)(?: more)?(?: times?)?(?: more)?(?: again)?(?: \))?{_STOP}",
         lambda m: _again(m) if re.search(r"\btimes?\b|\bthrice\b", m[0]) else m[0][len(m["lead"]) :],
@@ -161,7 +171,7 @@ _SAID: Final[tuple[_Rule, ...]] = tuple(  # behind the head of a round
     for said, meant in (
         (rf"(?:see|ditto|= ?|do as|like|work like) {_RN} (?P<which>\d+)", lambda m: f"repeat round {m['which']}"),
         (rf"(?:\d+ )?x {_RN} (?P<which>\d+)|{_N} times {_RN} (?P<which2>\d+)", lambda m: f"repeat round {m['which'] or m['which2']}"),
-        (rf"(?:same as|repeat|rep|as|like|see|ditto)(?: the)? (?:previous|prev|preceding|above|last|one before) ?{_RN}?", lambda _: "repeat last round"),
+        (rf"(?:work )?(?:the )?(?:same as|same as for|repeat|rep|as|as for|as in|like|see|ditto)(?: the)? (?:previous|prev|preceding|above|last|one before) ?{_RN}?", lambda _: "repeat last round"),
         (r"(?:exactly |just )?(?:the )?same(?: again| as before| as above)?|ditto|idem|likewise", lambda _: "repeat last round"),
         (rf"(?:are |is )?(?:all |both )?(?:worked |done |made )?(?:nothing , )?(?:just |simply |only )?(?:{_PLAIN}|no (?:increases?|decreases?|change|changes|shaping|inc|dec)|as is|nothing|all sc|all dc)(?: (?:sc|dc)?(?: all)?(?: around)?)?", lambda _: "even"),
         (r"(?:nothing|no change|no changes|no increases?) ?, (?:just |only |simply )?(?:sc|dc|single crochet)(?: around| in each| in all| all around)?", lambda _: "even"),
@@ -173,17 +183,23 @@ _PLAINLY: Final = re.compile(r"(?:work )?\d+ (?:more )?(?:rounds|rnds)(?: more)?
 _LIKE: Final = re.compile(
     rf"^(?:see|follow|ditto|identical to|like|=|rep from|repeat from|work as you did for|(?:are|is) (?:worked )?(?:the |exactly the )?same as(?: for| in| on| those of)?) {_NAME}(?= [.;(\[,!»]|$)"
 )
+_CITED: Final = re.compile(
+    rf"^(?:see|refer to|copy|consult|use|follow)(?: the)?(?: instructions (?:for|of))?(?: {_NAME} {_SPAN}| {_SPAN.replace('P<few>', 'P<few2>').replace('P<a>', 'P<a2>').replace('P<b>', 'P<b2>').replace('P<c>', 'P<c2>').replace('P<d>', 'P<d2>')} (?:of|from|for|in) {_NAME.replace('P<name>', 'P<name2>')}){_STOP}"
+)
+_FROM: Final = re.compile(
+    rf"^(?:(?:finish|complete|continue|cont|end|work|proceed) )?(?:as|as for|as in|same as|same as for|like) {_NAME} (?:from|starting (?:at|with|from)|beginning (?:at|with)) {_RN} (?P<begin>{_N})(?: on| onwards?| to (?:the )?end)?{_STOP}"
+)
 _HEAD: Final = re.compile(
     rf"^(?:{_RN} {_N}(?: (?:-|to|,|and|&|through|thru) (?:{_RN} )?{_N})*|r\d+(?: (?:-|to) r?\d+)?|{_TH}(?: (?:-|to|and) {_TH})? {_RN})(?: :| \)| - (?!\d)| \.| (?=are |is ))* |^\d+(?: - \d+)? [:.)] "
 )
 _FIRST: Final = re.compile(
-    r"=|(?:see|follow|ditto|identical|like|rep|repeat|work|as|are|is|do|x|\d+ (?:x|times)|same|exactly|just|the|idem|likewise|all|both|nothing|simply|only|"
+    r"=|(?:see|refer|copy|consult|use|finish|complete|follow|ditto|identical|like|rep|repeat|work|as|are|is|do|x|\d+ (?:x|times)|same|exactly|just|the|idem|likewise|all|both|nothing|simply|only|"
     r"without|with|even|evenly|straight|plain|plainly|unchanged|no|a|simple|normal|regular|worked|done|made|cont\w*|keep\w*|inc\w*|dec\w*)\b"
 )
 """What the words behind a head begin with that say rounds by others."""
 _TRIGGER: Final = frozenset("round rounds rnd rnds row rows rd rds way manner set established".split())
 _COPY: Final = re.compile(
-    r"^(?:repeat|rep)\b.*\bfor (?:the |your )?(?:second|2nd|other|next|another|third|3rd|remaining)\b"
+    r"^(?:repeat|rep)\b.*\bfor (?:the |your )?(?:second|2nd|other|next(?! \d)|another|third|3rd|remaining)\b"
 )
 """Rounds for another of the same, which are no rounds of one called so: "Repeat from Rnd 1 for the second ear"."""
 _TITLE: Final = 14  # words and signs of a line that may be a heading
@@ -240,6 +256,17 @@ def _sentence(tokens: list[Token], names: set[str]) -> list[Token] | None:
         one = _LIKE.match(rest)
         if one is not None and one["name"].split()[-1] in names:
             return _put(tokens, head.end(), head.end() + one.end(), f"as {one['name']}", ":" not in head[0])
+        cited = _CITED.match(rest)
+        if cited is not None and (cited["name"] or cited["name2"]).split()[-1] in names:
+            groups = {k: cited[k] or cited[f"{k}2"] for k in ("few", "a", "b", "c", "d", "name")}
+            said = f"as {_rounds(groups)} of {groups['name']}"
+            return _put(tokens, head.end(), head.end() + cited.end(), said, ":" not in head[0])
+        on = _FROM.match(rest)
+        numbers = [int(n) for n in re.findall(r"\d+", head[0])]
+        if on is not None and len(numbers) == 2 and numbers[1] > numbers[0] and on["name"].split()[-1] in names:
+            first = _number(on["begin"])
+            said = f"as rounds {first} - {first + numbers[1] - numbers[0]} of {on['name']}"
+            return _put(tokens, head.end(), head.end() + on.end(), said, ":" not in head[0])
         if _ON_SAID.match(rest) is not None:
             return _put(tokens, head.end(), head.end(), "as established ,", ":" not in head[0])
         for rule, meant in _SAID:

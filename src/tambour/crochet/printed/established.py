@@ -36,6 +36,10 @@ _ROUND: Final = re.compile(
 )
 """The round that is the last: "until the rnd '1dc in each of next 7dc, 2dc in next dc' has been worked"."""
 _BETWEEN: Final = re.compile(r"(?:next|[(\[*]|^) ?(\d+) (?:sc|dc|sts?|stitches)\b(?! in)")
+_TIMES: Final = re.compile(rf"\b({NUMBER}) (?:more )?times\b|\b(twice|thrice)\b")
+_EVENLY: Final = re.compile(
+    rf"^[~, ]*{_SHAPE} (?:by )?\d+(?: (?:sts?|sc|dc|stitches))?(?: around)?(?: evenly)?(?: \(|$)"
+)
 _MORE: Final = re.compile(rf"\b({NUMBER}) (?:more |further |additional )?(?:rounds|rnds|round|rnd)\b")
 
 
@@ -48,7 +52,11 @@ def established(p: State, tokens: list[Token], head: Head | None = None) -> bool
     if draft is None or not draft.edge or draft.flat or p.mode in ("materials", "abbreviations", "notes"):
         return False
     words = " ".join([t.word for t in tokens])
-    if not any(t.word in _SO for t in tokens) or (head is not None and len(head.numbers) < _TWO and head.many < _TWO):
+    several = head is None or len(head.numbers) >= _TWO or head.many >= _TWO
+    evenly = (
+        head is not None and words.startswith("~") and _EVENLY.match(words) is not None
+    )  # "Next 4 rnds: Inc 6 sts evenly spaced. (48)"
+    if not several or not (evenly or any(t.word in _SO for t in tokens)):
         return False
     grown = draft.edge - draft.edges.get(draft.last - 1, draft.edge)
     said = _STEP.search(words)
@@ -121,6 +129,9 @@ def _shaped(p: State, tokens: list[Token], words: str, step: int, edge: int, man
         return range(many)
     if more is not None:
         return range(0, (NUMBERS.get(more[1]) or int(more[1])) * every, every)
+    if (times := _TIMES.search(words)) is not None:
+        often = {"twice": 2, "thrice": 3}.get(times[2] or "") or NUMBERS.get(times[1]) or int(times[1])
+        return range(0, often * every, every)
     if isinstance(ordinal, int) and ordinal > 1 and any(c.key("next", ahead=k) for k in range(at, len(tokens))):
         return range(0, ordinal + 1, ordinal)  # "on next and following 6th rnd"
     return range(0)

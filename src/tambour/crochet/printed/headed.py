@@ -73,7 +73,9 @@ class Headed(State):
         """The round as its words say, in the stripes that they or a sentence before them plan."""
         worked_in(self, span.start, span.end)
         words = self.source.text.text[span.start : span.end]
-        found = planned(words, self.palette, draft.lines, max(len(head.numbers), head.many))
+        found = planned(
+            words, self.palette, draft.lines, max(len(head.numbers), head.many), head.numbers[0] if head.numbers else 0
+        )
         if found is not None:
             plan, (begin, end) = found
             place = Span(span.start + begin, span.start + end)

@@ -26,6 +26,7 @@ from tambour.crochet.printed.beyond import (
 from tambour.crochet.printed.bridged import bridging
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention, turned_always
+from tambour.crochet.printed.counted import counts_last
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
@@ -203,7 +204,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         if foretells or (not stuffs and remark(p.source.text.text, tokens)):
             p.passed.append(note)
             return True  # "Note: Hdc in rnds below will cause Motif to cup"
-    if p.parts and p.mode not in ("materials", "abbreviations") and once_again(p, tokens):
+    if p.parts and p.mode not in ("materials", "abbreviations") and (once_again(p, tokens) or counts_last(p, tokens)):
         return True
     close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
     if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"

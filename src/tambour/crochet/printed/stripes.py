@@ -19,7 +19,7 @@ from tambour.crochet.printed.tokens import Token, rows
 _MOST: Final = 500  # rounds that are parted by their colours
 _UNIT: Final = r"(?:rnds?|rounds?|rows?|rds?)\b\.?"
 _N: Final = r"(\d{1,2}|one|two|three|four|five|six)"
-_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-K]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b)[a-z]{3,12})?)"
+_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-K]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more|alternat\w*|strip\w*|order|sequence)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b)[a-z]{3,12})?)"
 _HOLD: Final = r"(?:(?:in|with|of|using|each)\s+)?"
 _ITEM: Final = rf"(?:{_N}\s+{_UNIT}\s*{_HOLD}{_YARN}|{_YARN}\s*[:=–-]?\s+(?:for\s+)?{_N}\s+{_UNIT}|[Ww]ith\s+{_YARN},?\s+(?:work\s+)?{_N}\s+{_UNIT})"
 _AND: Final = r"\s*(?:[,;.&]|\band\b|\bthen\b)[\s,;]*(?:and\s+|then\s+|\*\s*)?"
@@ -42,9 +42,21 @@ _PER: Final = re.compile(
 _BLOCKS: Final = re.compile(
     rf"chang\w+\s+colou?rs?\s+every\s+{_N}\s+{_UNIT}\s+until\s+(?:there\s+are\s+|you\s+have\s+)?{_N}\s+(?:blocks|stripes|squares|bands|sections)"
 )
+_AFTER: Final = re.compile(rf"\s*[:(,–-]*\s*(?:in\s+(?:the|this)\s+(?:order|sequence)\W*)?({_LIST})(?:\s*\))?(?=\W|$)")
+_NUMBERED: Final = rf"{_UNIT}\s*(\d+)(?:\s*([-–]|to|through|and|&)\s*(\d+))?"
+_DYED: Final = re.compile(
+    rf"(?:{_NUMBERED}\s+(?:(?:is|are)\s+)?(?:worked\s+)?(?:in|with|using)\s+{_YARN}|{_YARN}\s+(?:for|on|in)\s+{_NUMBERED})(?=\W|$)",
+    re.IGNORECASE,
+)
+_ODDS: Final = re.compile(
+    rf"(?:(?:and|all|the)\s+)*\b(odd|even)(?:[- ]numbered)?\s+(?:{_UNIT}|ones)\s*(?:(?:is|are)\s+)?(?:worked\s+)?(?:in|with|using)\s+{_YARN}(?=\W|$)",
+    re.IGNORECASE,
+)
+_BEFORE: Final = re.compile(r"(?:[(,;.]\s*)?(?:\b(?:work(?:ing)?|using|with|in|and|all|the)\s+)*$", re.IGNORECASE)
 _TO: Final = re.compile(rf"\b(?:chang\w+\s+to|with)\s+{_YARN}")
 _HINT: Final = re.compile(
-    r"alternat|strip|chang|switch|per\s+colou?r|each\s+colou?r|\d\s+r(?:n?d|ow|ound)", re.IGNORECASE
+    r"alternat|strip|chang|switch|per\s+colou?r|each\s+colou?r|\d\s+r(?:n?d|ow|ound)|r(?:n?d|ow|ound)s?\s*\d.*r(?:n?d|ow|ound)s?\s*\d|\bodd\b.*\beven\b|\beven\b.*\bodd\b",
+    re.IGNORECASE | re.DOTALL,
 )
 _WORDS: Final = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
 
@@ -67,7 +79,7 @@ class Plan:
 
 
 _LEADS: Final = re.compile(
-    r"(?:,?\s*(?:(?:chang|alternat|switch)\w*\s+colou?rs?\s+(?:every|each)\s+(?:round|rnd|row)|in\s+(?:this|the\s+following)\s+order|(?:in\s+)?(?:the\s+)?colou?rs|in\s+stripes?))?\s*[:(,.;–—-]*\s*$"
+    r"(?:,?\s*(?:(?:chang|alternat|switch)\w*\s+colou?rs?\s+(?:every|each)\s+(?:round|rnd|row)|in\s+(?:this|the\s+following)\s+order|(?:in\s+)?(?:the\s+)?colou?rs|in\s+(?:the\s+)?(?:following\s+)?strip(?:es?|ing)(?:\s+(?:pattern|sequence))?))?\s*[:(,.;–—-]*\s*$"
 )
 _COUNTED: Final = re.compile(r"\s*[(\[]\d+[^()\[\]]{0,20}[)\]]\s*\.?\s*$")
 _PART: Final = re.compile(
@@ -80,7 +92,8 @@ def _ordered(words: str, palette: Palette, many: int) -> tuple[Plan, tuple[int, 
     """The plan of a round of several that ends with their yarns, one after the other: "Rnds 4-6: sc around (18): red, white, red"."""
     ends = len(_COUNTED.sub("", words).rstrip(" .)\n"))
     last = max(words.rfind(sign, 0, ends) for sign in ":(.;") + 1
-    for begin in (last, words.find(",", words.find(":") + 1, ends) + 1):
+    within = words.rfind(" in ", last, ends) + 4  # "Rnds 4-6: sc around in red, white, red"
+    for begin in (last, words.find(",", words.find(":") + 1, ends) + 1, within if within > 4 else 0):
         runs = []
         for said in re.split(r"\s*(?:,|/|\band\b|\bthen\b)\s*", words[begin:ends].strip() if begin else ""):
             found = _PART.fullmatch(said)
@@ -91,13 +104,37 @@ def _ordered(words: str, palette: Palette, many: int) -> tuple[Plan, tuple[int, 
         else:
             if len(runs) > 1 and sum(n for _, n in runs) == many:
                 lead = _LEADS.search(words[:begin])
-                start = lead.start() if lead is not None else begin
+                start = begin - 4 if begin == within else lead.start() if lead is not None else begin
                 return Plan(tuple(runs)), (start, ends + ("(" in words[start:begin] and words[ends : ends + 1] == ")"))
     return None
 
 
-def planned(words: str, palette: Palette, worked: list[Line], many: int = 1) -> tuple[Plan, tuple[int, int]] | None:
-    """The plan that ``words`` of so many rounds say, and from which letter to which they say it; None where they say none.
+def _by_number(words: str, palette: Palette, first: int, many: int) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan of rounds whose words name a yarn for each by its number, "(Rnds 3 and 4 in B, Rnds 5 and 6 in C)", or for odd and even ones."""
+    hues: dict[int, RGB | None] = {}
+    found = list(_DYED.finditer(words))
+    for m in found:
+        a, sign, b, yarn = (m[1], m[2], m[3], m[4]) if m[4] else (m[6], m[7], m[8], m[5])
+        low, high = int(a), int(b or a)
+        span = (low, high) if sign in ("and", "&") else range(low, high + 1)
+        hues |= dict.fromkeys(span, _hue(yarn, palette))
+    if not found and len(found := list(_ODDS.finditer(words))) == 2:
+        kinds = {m[1].lower(): _hue(m[2], palette) for m in found}
+        hues = {n: kinds.get("odd" if n % 2 else "even") for n in range(first, first + many)}
+    plan = [hues.get(n) for n in range(first, first + many)]
+    runs = [(hue, 1) for hue in plan if hue is not None]
+    if not found or len(runs) < many or len(hues) != many:
+        return None
+    lead = _BEFORE.search(words[: found[0].start()])
+    begin, end = lead.start() if lead is not None else found[0].start(), found[-1].end()
+    return Plan(tuple(runs)), (begin, end + (words[begin] == "(" and words[end : end + 1] == ")"))
+
+
+def planned(
+    words: str, palette: Palette, worked: list[Line], many: int = 1, first: int = 0
+) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan that ``words`` of so many rounds say, the ``first`` of which is numbered so, and from which letter to which they say it; None
+    where they say none.
 
     worked : the rounds of the part so far, whose yarns "changing colour every row" goes on with
     """
@@ -105,6 +142,13 @@ def planned(words: str, palette: Palette, worked: list[Line], many: int = 1) -> 
         return ordered
     if not _HINT.search(words):
         return None
+    if many > 1 and first and (by_number := _by_number(words, palette, first, many)) is not None:
+        return by_number
+    if (found := _CHANGED.search(words)) is not None and (after := _AFTER.match(words, found.end())) is not None:
+        hues = _hues(after[1], palette)
+        if hues is not None and len(hues) > 1:
+            every = _many(found[1], found[2])
+            return Plan(tuple((hue, every) for hue in hues)), (found.start(), after.end())
     if (found := _CHANGED.search(words)) is not None and (runs := _changed(found, palette, worked)):
         return Plan(runs, phase(runs, worked)), found.span()
     if (found := _BETWEEN.search(words)) is not None:

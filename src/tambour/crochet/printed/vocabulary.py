@@ -35,7 +35,7 @@ _YARNS: Final = frozenset(
         "of",
     )
 )
-_ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
+_ENDED: Final = frozenset(("=", "-", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
 _AFTER: Final = frozenset("in into around to of from across along with until".split())  # behind a stitch and its point
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
