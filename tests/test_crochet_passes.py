@@ -28,6 +28,7 @@ Round 8: (ch 6, sl st in 2nd ch from hook, sl st back along the next 4 ch, 1 sc 
 Work as for Arm, omitting all references to color changes. Repeat Rnds 1-4 of Arm in C, with no color changes.
 As for Arm, using C instead of B. Same as Arm but work Rounds 1-4 with C. Repeat Rnd 4, replacing A with C. As Arm, all in C.
 Work as Arm, substituting C for A. Work as for Arm, using C for Rnds 2-3. Same as Arm, in one color throughout.
+R3: 1 sc 1 inc x 6 (18). R4: 2 sc inc x 6 (24). R5: sc3 inc1 x3 (15). R6: 3 sc 1 inc *3 (15). R7: sc inc six times (18).
 8 sc; 2 inc; 8 sc - 1 thumb and 8 sc. Fold flat and work 6 sc through both layers.
 """.splitlines()
 

@@ -309,3 +309,148 @@ def test_a_count_has_all_of_a_round_go_around(words: str, count: int) -> None:
     pattern = read(Text(f"{YARN}{GROWN}Rnd 5: {words} ({count})\n", "toy.txt"))
     assert counts(pattern) == [*UP, count] and not lost(pattern)
     assert not [w for w in build(pattern).warnings if "the pattern says" in w.message]
+
+
+@pytest.mark.parametrize(
+    "words, count",
+    [
+        ("double every 4th st. (= 30 st.)", 30),
+        ("double every 4th stitch (30)", 30),
+        ("double each 4th st (30)", 30),
+        ("Double every fourth stitch. (30)", 30),
+        ("inc every 4th st (30)", 30),
+        ("2 sc in every 4th st (30)", 30),
+        ("increase in every 4th stitch (30)", 30),
+        ("every 4th st is doubled (30)", 30),
+        ("in every 4th st work 2 sc (30)", 30),
+        ("work 2 sc into every fourth stitch (30)", 30),
+        ("increase every 4th st = 30 sts", 30),
+        ("double every 4th M (30)", 30),
+        ("inc 1 in every 4th st - 30", 30),
+        ("*3 sc, double 1 st* 6x (30)", 30),
+        ("*3 sc, double the next st*, repeat 6 times (30)", 30),
+        ("3 sc, 2 sc in 1 st, repeat 6x (30)", 30),
+        ("Three sc, inc, six times (30)", 30),
+        ("Three sc, then two in the next, six times (30)", 30),
+        ("Three sc, then two in the next. Do that six times (30)", 30),
+        ("3 sc, inc, 6 times (30)", 30),
+        ("3 sc and inc, six times over (30)", 30),
+        ("(3 sc + inc) six times (30)", 30),
+        (
+            "Work one single crochet into each of the next three stitches and two into the stitch after that. Repeat this five more times. You have thirty stitches.",
+            30,
+        ),
+        (
+            "One single crochet in each of the next three stitches, then two single crochet in the following stitch. Repeat to the end of the round. You now have thirty stitches.",
+            30,
+        ),
+        ("Single crochet into the next three stitches, then increase; do this six times. (30)", 30),
+        ("Sc in 3, inc in 1, go around like that (30)", 30),
+        ("sc in three, two in one, around (30)", 30),
+        ("crochet every 3rd + 4th st. together (= 18 st.)", 18),
+        ("crochet every 3rd and 4th st together (18)", 18),
+        ("every 3rd and 4th st together (18)", 18),
+        ("sc every 3rd and 4th sts tog (18)", 18),
+        ("work every 3rd and 4th stitch together (18)", 18),
+        ("dec every 3rd and 4th st (18)", 18),
+        ("crochet together every 3rd and 4th st (18)", 18),
+        ("sc the 3rd and 4th st together (18)", 18),
+        ("Two sc, dec, six times (18)", 18),
+        ("2 sc, dec, 6 times (18)", 18),
+        (
+            "Work one single crochet into each of the next two stitches, then work the next two stitches together. Repeat this five more times. You have eighteen stitches.",
+            18,
+        ),
+        (
+            "Single crochet in the next two stitches, then crochet the next two together. Repeat six times in all. (18)",
+            18,
+        ),
+        ("Two sc, dec - six times (18)", 18),
+        ("*2 sc, 2 sc tog* 6x (18)", 18),
+        ("*2 sc, crochet 2 st together* 6x (18)", 18),
+        ("2 sc, crochet 2 together, repeat around (18)", 18),
+        ("two sc, then two together, around (18)", 18),
+        ("crochet 2 st. together each (= 12 st.)", 12),
+        ("crochet 2 st. together (12)", 12),
+        ("always crochet 2 sts together (12)", 12),
+        ("crochet every 2 sts together (12)", 12),
+        ("crochet together every two stitches (12)", 12),
+        ("Work the next two stitches together twelve times. You have twelve stitches.", 12),
+        ("work two stitches together all the way around (12)", 12),
+        ("two together all around (12)", 12),
+        ("2 sts together around (12)", 12),
+        ("dec around (12)", 12),
+        ("dec x 12", 12),
+        ("sc two together twelve times (12)", 12),
+    ],
+)
+def test_shapings_in_the_words_of_translations_and_beginners(words: str, count: int) -> None:
+    pattern = read(Text(f"{YARN}{GROWN}Rnd 5: {words}\n", "toy.txt"))
+    assert counts(pattern) == [*UP, count] and not lost(pattern)
+    assert not [w for w in build(pattern).warnings if "the pattern says" in w.message]
+
+
+@pytest.mark.parametrize(
+    "words, count",
+    [
+        ("1sc 1inc ×6 (18)", 18),
+        ("1 sc 1 inc x 6 (18)", 18),
+        ("1sc, 1inc x6 (18)", 18),
+        ("sc inc x6 (18)", 18),
+        ("1sc 1inc 6x (18)", 18),
+        ("inc sc x6 (18)", 18),
+        ("1inc 1sc x6 (18)", 18),
+        ("2sc 1dec x3 (9)", 9),
+        ("2 sc dec x 3 (9)", 9),
+        ("dec 2 sc x3 (9)", 9),
+        ("sc inc x 6 = 18", 18),
+        ("sc dec x4 (8)", 8),
+        ("3 sc 1 inc *3 (15)", 15),
+        ("3sc inc x3", 15),
+        ("sc inc six times (18)", 18),
+        ("sc inc x6 (12)", 12),
+    ],
+)
+@pytest.mark.parametrize("head", ["R{}: ", "{}) "])
+def test_stitches_beside_each_other_before_how_often(head: str, words: str, count: int) -> None:
+    rounds = ["6 sc in mr", "6inc (12)", words]
+    pattern = read(
+        Text("Toy\n\nBody\n" + "".join(f"{head.format(k)}{r}\n" for k, r in enumerate(rounds, 1)), "toy.txt")
+    )
+    assert counts(pattern) == [6, 12, count] and not lost(pattern)
+
+
+def test_a_count_that_comes_out_by_stitches_nobody_works_into_is_told() -> None:
+    words = "Toy\n\nBody\nR1: 6 sc in mr\nR2: 6inc (12)\nR3: sc in next 4 sts, 2 sc in next st (13)\n"
+    told = [w.message for w in build(read(Text(words, "toy.txt"))).warnings]
+    assert told == ["13 stitches are these 6 and 7 of those below, which stay unworked"]
+
+
+def test_notes_say_how_many_rounds_by_a_sign() -> None:
+    lines = "mr 6\ninc x6 (12)\nsc around x3 (12)\nsc 12 x4\n12 sc x 4 (12)\nsc around 3x\nsc all x3\nsc x3 rounds\n(sc 2, dec) x3 (9)\nsc 9 x2\n"
+    pattern = read(Text(f"snail\n\nbody\n{lines}fo\n", "toy.txt"))
+    assert counts(pattern) == [6, *[12] * 21, 9, 9, 9] and not lost(pattern)
+
+
+def test_a_stitch_that_is_explained_below_its_round_is_none_of_it() -> None:
+    rounds = (
+        "Rnd 5: *Sc in next 2 sc. Single crochet 2 stitches together (Sc2tog). Rep from * around. 18 sts.\nSc2tog:\n"
+    )
+    how = "Insert hook in next st, yarn over and draw up a loop. Insert hook in next st, yarn over and draw through all loops.\n"
+    pattern = read(Text(f"{YARN}{GROWN}{rounds}{how}\nRnd 6: Sc in each st around. (18)\n", "toy.txt"))
+    assert counts(pattern) == [*UP, 18, 18]
+
+
+@pytest.mark.parametrize(
+    "words, made",
+    [
+        ("Fold flat and crochet together through both layers: 5sc.", 5),
+        ("Fold flat and work through both layers: 5 sc (5)", 5),
+        ("Fold flat, through both layers: sc 5", 5),
+        ("Press flat and sc across 5 to close.", 5),
+    ],
+)
+def test_an_end_is_worked_shut_whose_stitches_are_named_behind_the_layers(words: str, made: int) -> None:
+    rounds = "R1: MR, 5sc [5]\nR2: inc*5 [10]\nR3: sc [10]\n"
+    pattern = read(Text(f"Toy\n\nWING\n{rounds}{words}\nFO leaving a long tail.\n", "toy.txt"))
+    assert counts(pattern) == [5, 10, 10, made] and not lost(pattern)

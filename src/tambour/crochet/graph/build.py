@@ -248,7 +248,10 @@ class _Worker:
         stitches along strands may."""
         hook = self.hook
         edge = hook.now.count + hook.joined
-        if line.stated in (edge, made, made + self.along, edge + self.along) or line.stated is None:
+        if line.stated is None:
+            return
+        if line.stated in (edge, made, made + self.along, edge + self.along):
+            self._check_left(line, made, edge)
             return
         if line.stated == made - sum(
             hook.styles[hook.style[n]][0] == "ch" and n not in hook.lifts for n in range(self.fresh, len(hook))
@@ -266,6 +269,17 @@ class _Worker:
                 warning=not self.strict,
             )
         )
+
+    def _check_left(self, line: Line, made: int, edge: int) -> None:
+        """A count that comes out only with stitches below which nothing is worked into may come out by chance."""
+        left = self.hook.ahead if self.hook.now.ring else 0
+        told = any(
+            isinstance(i, Group) and i.times is None for i in line.items
+        )  # what goes around tells what it leaves
+        if left > 0 and line.stated == edge == made + left and made and not told:
+            message = f"{line.stated} stitches are these {made} and {left} of those below, which stay unworked"
+            hint = "say into how many stitches it is worked, or how often"
+            self.problems.append(Problem(message, hint, line.stated_span, self.pattern.text, warning=True))
 
     def _item(self, item: Item) -> None:
         if isinstance(item, Action):

@@ -142,11 +142,28 @@ def decided(
         used = worked(flat, edge, source.stitches)
         if used is not None and used[1] > (edge + 1) // 2 and not any(isinstance(i, Group) for i in flat):
             body.items, body.both = flat, True  # more stitches than there are pairs: it is two pieces that lie together
+    if edge and body.rounds is None and fit(body) < 2 and (again := _as_rounds(body.items, edge)) is not None:
+        plain, many = again
+        if body.stated in (None, edge):
+            body.items, body.rounds = plain, many
     last = body.items[-1] if body.items else None
     if isinstance(last, Action) and last.name == "turn" and edge and chain is None and fit(body) < 2:
         done = worked(body.items, edge, source.stitches)
         if done is not None and done[0] == body.stated:  # the row is turned there, and the rest is for another piece
             body.items = rest_left(body.items, edge, source.stitches)
+    if (
+        body.refers is None
+        and edge
+        and chain is None
+        and fit(body) < 2
+        and (whole := _all_times(body.items)) is not None
+    ):
+        made = worked(whole, edge, source.stitches)
+        if made is not None and made[1] == edge and body.stated in (None, made[0]):
+            body.items = whole
+            judge = "round below" if body.stated is None else "count"
+            said = f"how often is read of all that is said: the {judge} speaks for it"
+            source.doubt(said, "put what is repeated in brackets", whole[-1].span)
     if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
         for other in (body, *([read(frozenset(("stands",)))] if "stands" in body.asked else [])):
             run = _run_on(other.items, edge, source.stitches)
@@ -155,7 +172,9 @@ def decided(
                 source.doubt("the last repeat runs on to where it ends", "say what the last stitches are", run[-1].span)
                 break
         else:
-            if wide := next((w for w in _all_around(body.items) if after(w, edge, source.stitches) == body.stated), None):
+            if wide := next(
+                (w for w in _all_around(body.items) if after(w, edge, source.stitches) == body.stated), None
+            ):
                 body.items = wide
                 said = "all that is said is read as repeated around: the count speaks for it"
                 source.doubt(said, "put what is repeated in brackets", body.items[-1].span)
@@ -269,6 +288,34 @@ def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[I
             left -= kind.takes * min(fits, item.times)
         return [*items[: k + 1], *more, *items[k + 1 :]] if more and not left else None
     return None
+
+
+def _as_rounds(items: list[Item], edge: int) -> tuple[list[Item], tuple[int, Span]] | None:
+    """A round of so many plain stitches as lie below, several times, as several of them: "12 sc x 4 (12)"; None for another."""
+    lead, rest = led(items)
+    group = rest[0] if len(rest) == 1 else None
+    one = group.items[0] if isinstance(group, Group) and len(group.items) == 1 else None
+    if not isinstance(group, Group) or not isinstance(one, Action) or not group.times or group.times < 2:
+        return None
+    if one.name != "sc" or one.times != edge:
+        return None
+    return [*lead, Group((replace(one, times=1),), None, group.span)], (group.times, group.span)
+
+
+def _all_times(items: list[Item]) -> list[Item] | None:
+    """``items`` with all that stands before the stitch that is worked several times repeated with it, "1 sc, 1 inc x 6" as "(1 sc, 1 inc) x 6";
+    None where nothing does."""
+    lead, rest = led(items)
+    if len(rest) < 2 or not all(isinstance(i, Action) for i in rest[:-1]):
+        return None
+    last = rest[-1]
+    if isinstance(last, Group):
+        one, many = last.items[0] if len(last.items) == 1 else None, last.times
+    else:
+        one, many = replace(last, times=1, times_span=None), last.times
+    if one is None or not many or many < 2:
+        return None
+    return [*lead, Group((*rest[:-1], one), many, last.span)]
 
 
 _INTO_ONE: Final = re.compile(r"inc([3-9]?)")

@@ -259,14 +259,14 @@ def _sentence(tokens: list[Token], names: set[str]) -> list[Token] | None:
         cited = _CITED.match(rest)
         if cited is not None and (cited["name"] or cited["name2"]).split()[-1] in names:
             groups = {k: cited[k] or cited[f"{k}2"] for k in ("few", "a", "b", "c", "d", "name")}
-            said = f"as {_rounds(groups)} of {groups['name']}"
-            return _put(tokens, head.end(), head.end() + cited.end(), said, ":" not in head[0])
+            there = f"as {_rounds(groups)} of {groups['name']}"
+            return _put(tokens, head.end(), head.end() + cited.end(), there, ":" not in head[0])
         on = _FROM.match(rest)
         numbers = [int(n) for n in re.findall(r"\d+", head[0])]
         if on is not None and len(numbers) == 2 and numbers[1] > numbers[0] and on["name"].split()[-1] in names:
             first = _number(on["begin"])
-            said = f"as rounds {first} - {first + numbers[1] - numbers[0]} of {on['name']}"
-            return _put(tokens, head.end(), head.end() + on.end(), said, ":" not in head[0])
+            there = f"as rounds {first} - {first + numbers[1] - numbers[0]} of {on['name']}"
+            return _put(tokens, head.end(), head.end() + on.end(), there, ":" not in head[0])
         if _ON_SAID.match(rest) is not None:
             return _put(tokens, head.end(), head.end(), "as established ,", ":" not in head[0])
         for rule, meant in _SAID:

@@ -28,9 +28,28 @@ def shut(tokens: list[Token]) -> list[Token]:
     at = 0
     while at < len(tokens):
         end = next((k for k in range(at, len(tokens)) if tokens[k].word in _STOPS), len(tokens))
+        named = _named_behind(tokens, at, end)
+        if named is not None:
+            made += named
+            at = end + 3
+            continue
         made += _shut(tokens[at:end]) + tokens[end : end + 1]
         at = end + 1
     return made
+
+
+def _named_behind(tokens: list[Token], at: int, end: int) -> list[Token] | None:
+    """A sentence that names its stitches behind the layers, "Fold flat and crochet through both layers: 5 sc", as what shuts the end; None
+    for another."""
+    behind = tokens[end + 1 : end + 4]
+    ends = len(behind) == 2 or (len(behind) == 3 and behind[2].word in (".", ";", "!", "(", "["))
+    where = _layers(tokens[at:end]) if end < len(tokens) and tokens[end].word in (":", ",") and ends else None
+    if where is None or not _worked(behind[0], behind[1]):
+        return None
+    begin, stop = at + where[0], at + where[1]
+    said = [*tokens[at:begin], *behind[:2], *tokens[begin:stop]]
+    made = _shut(said)
+    return made if made is not said else None
 
 
 def _shut(some: list[Token]) -> list[Token]:

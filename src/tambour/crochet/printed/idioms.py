@@ -33,7 +33,6 @@ _IDIOMS: Final = tuple(
         (r"(cut|break|leave|change|attach|hide|tie off|fasten off) (?:the |your |a |long )*ropes?", "{1} the yarn"),
         (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),
         (r"counting (?:the|your) (?:turning|first|starting) ch(?:ain)?", ""),
-        (r"(?:, )?(?:all )?the way (?:a)?round(?= ?[\[(.;!]| ?$)", "around"),
         (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),
         (r"(sc|dc|htr|hdc|tr|double crochet|single crochet) (?:all )?(?:the way )?round(?= [\[(.,;!]| ?$)", "{1} around"),
         (r"(make|work|crochet) (\w+ more) (?:the same|alike|just the same|exactly the same|in the same way|the same way|like (?:this|that|it)|to match)", "{1} {2}"),
@@ -143,12 +142,12 @@ def _row(row: Row) -> Row:
     words = " ".join([t.word for t in tokens])
     for said, meant in ((_AS, "as {1} row" if flat else "as {1} round"), *_IDIOMS):
         if said.search(words):
-            tokens = _put(tokens, said, meant)
+            tokens = put(tokens, said, meant)
             words = " ".join([t.word for t in tokens])
     return row if tokens is row.tokens else replace(row, tokens=tokens)
 
 
-def _put(tokens: list[Token], said: re.Pattern[str], meant: str) -> list[Token]:
+def put(tokens: list[Token], said: re.Pattern[str], meant: str) -> list[Token]:
     """``tokens`` with what ``said`` finds in their words as ``meant``, whose numbers in braces are its groups."""
     words = " ".join([t.word for t in tokens])
     found = list(said.finditer(words))
@@ -164,8 +163,12 @@ def _put(tokens: list[Token], said: re.Pattern[str], meant: str) -> list[Token]:
         made += tokens[done:first]
         for word in meant.split():
             if word[0] == "{":
-                a, b = _between(begins, *one.span(int(word[1:-1])))
-                made += tokens[a:b]
+                at = one.span(int(word[1:-1]))
+                if at[0] < 0:
+                    continue  # a group that took no part
+                a, b = _between(begins, *at)
+                within = at[0] not in begins  # the 3 of "x3"
+                made += [_word(one[int(word[1:-1])], tokens[first], tokens[last - 1])] if within else tokens[a:b]
             else:
                 made.append(_word(word, tokens[first], tokens[last - 1]))
         done = last

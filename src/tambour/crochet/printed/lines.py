@@ -66,6 +66,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     tokens = p.vocabulary.read(row.tokens)
     if not tokens or heads(tokens) or turning(tokens) or (p.mode == "assembly" and step(p.source.text.text, row)):
         return None
+    if [t.kind for t in tokens] == ["stitch", "mark"] and tokens[1].word == ":":
+        return None  # "Sc2tog:", above how it is made
     depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
     last, first = before[-1], tokens[0]
     if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):

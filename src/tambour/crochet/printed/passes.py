@@ -45,6 +45,7 @@ def _all(*said: str) -> tuple[frozenset[str], ...]:
 
 _PASSES: Final = (
     _Pass(shorthand.apart, shorthand.BETWEEN),
+    _Pass(shorthand.beside, frozenset(("x", "*", "times"))),
     _Pass(shorthand.singles, frozenset(",")),
     _Pass(shorthand.grouped, frozenset("x*")),
     _Pass(shorthand.had, frozenset(("have",))),

@@ -73,8 +73,8 @@ _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", 
 def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     """A line that begins no round."""
     whole = Span(row.start, row.end)
-    if not tokens:
-        p.passed.append(whole)
+    if not tokens or ([t.kind for t in tokens] == ["stitch", "mark"] and tokens[1].word == ":"):
+        p.passed.append(whole)  # "Sc2tog:", above how it is made
         return
     text = p.source.text.text
     if p.mode == "assembly" and (labelled := step(text, row)):

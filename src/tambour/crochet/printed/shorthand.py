@@ -57,6 +57,57 @@ def apart(tokens: list[Token]) -> list[Token]:
     return made
 
 
+def beside(tokens: list[Token]) -> list[Token]:
+    """Stitches that only stand beside each other before "x 6", "1 sc 1 inc x 6", "sc inc x 6 (18)", "sc3 inc1 x3", with commas between them."""
+    end = next((k for k in range(1, len(tokens) - 1) if _times_at(tokens, k)), 0)
+    if not end:
+        return tokens
+    count = _count_behind(tokens, end)
+    made: list[Token] = []
+    for k, token in enumerate(tokens[:end]):
+        before = tokens[k - 1] if k else None
+        if token.kind == "stitch" and " " in token.word and token.value in _SHAPED and _of_two(before, token, count):
+            middle = token.start + len(token.word.split()[0])
+            made.append(replace(token, word="sc", value="sc", end=middle))
+            made.append(Token("mark", ",", middle, middle))
+            made.append(replace(token, word=token.value, start=min(middle + 1, token.end)))
+            continue
+        grown = (
+            before is not None and before.kind == "number" and before.glued and k > 1 and tokens[k - 2].kind == "stitch"
+        )
+        last = tokens[k - 2] if grown else before
+        named = tokens[k + 1] if token.kind == "number" and not token.glued and k + 1 < end else token
+        stitches = last is not None and last.kind == named.kind == "stitch" and token.kind in ("number", "stitch")
+        if stitches and last is not None and (last.value in _SHAPED) != (named.value in _SHAPED):
+            made.append(Token("mark", ",", token.start, token.start))
+        made.append(token)
+    return [*made, *tokens[end:]]
+
+
+def _of_two(before: Token | None, token: Token, count: tuple[int, int] | None) -> bool:
+    """Whether "sc inc" before "x 6" is two stitches: its count says so, or, where none does, a number before it: "2 sc inc x 6"."""
+    many = before.value if before is not None and before.kind == "number" and isinstance(before.value, int) else 1
+    if count is None:
+        return many > 1
+    return count[0] * (many + (2 if token.value == "inc" else 1)) == count[1]
+
+
+def _times_at(tokens: list[Token], k: int) -> bool:
+    """Whether "x 6", "6 x" or "6 times" stands at ``k``, behind a stitch."""
+    one, two = tokens[k], tokens[k + 1]
+    signs = one.word == "x" or two.word == "x" or two.value == "times" or (one.word == "*" and two.glued)
+    stitched = tokens[k - 1].kind == "stitch" or (tokens[k - 1].kind == "number" and tokens[k - 1].glued)
+    many = next((t for t in (one, two) if t.kind == "number" and isinstance(t.value, int)), None)
+    return signs and many is not None and stitched and not (one.kind == "number" and one.glued)
+
+
+def _count_behind(tokens: list[Token], k: int) -> tuple[int, int] | None:
+    """How often "x 6 (18)" at ``k`` says, and its count; None where none stands behind it."""
+    often = next(t.value for t in tokens[k : k + 2] if t.kind == "number")
+    said = [t for t in tokens[k + 2 : k + 4] if t.kind == "number" and isinstance(t.value, int)]
+    return (int(often), int(said[0].value)) if said and tokens[k + 2].kind == "mark" else None
+
+
 BETWEEN: Final = frozenset("-/+")
 _PAST: Final = frozenset((".", ";", "(", "[", "*", "**"))
 """Behind a number of stitches these end the sentence."""

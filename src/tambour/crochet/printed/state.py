@@ -20,6 +20,7 @@ from tambour.crochet.printed.changes import changes
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.columns import columned
 from tambour.crochet.printed.divided import divided
+from tambour.crochet.printed.doubled import doubled
 from tambour.crochet.printed.doubts import numbered_each
 from tambour.crochet.printed.echoes import echoed
 from tambour.crochet.printed.edges import ended
@@ -92,6 +93,7 @@ _LONG: Final = 50  # characters of a line that was broken
 _BODY: Final = "instructions"
 _FEW: Final = 15  # lines that say nothing of a column's width
 _COLUMN: Final = 75  # characters of a line in a narrow column, at most
+_NOTE: Final = 24  # characters of the longest lines of notes, which no page broke
 
 
 def _long(rows: list[Row]) -> float:
@@ -102,7 +104,7 @@ def _long(rows: list[Row]) -> float:
     rows = rows[begun:] if len(rows) - begun > _FEW else rows  # lists of materials are no columns
     lengths = sorted(row.end - row.start for row in rows if len(row.tokens) > 4)
     width = lengths[len(lengths) * 9 // 10] if lengths else 0
-    return 0.6 * width if 0 < width <= _COLUMN else _LONG
+    return 0.6 * width if _NOTE < width <= _COLUMN else _LONG
 
 
 _ENDED: Final = re.compile(r"\b(?:fasten(?:ed|ing)? off|sew|sewn|bind off)\b", re.IGNORECASE)
@@ -126,7 +128,7 @@ class State:
             source.each = numbered_each(source.text.text)
         explained(self.rows, self.vocabulary)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
-            self.rows = echoed(told(counting(respun(ended(shelled(plainly(self.rows, self.vocabulary)))))))
+            self.rows = echoed(doubled(told(counting(respun(ended(shelled(plainly(self.rows, self.vocabulary))))))))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
