@@ -101,3 +101,10 @@ def test_an_increase_that_the_text_names_is_one(words: str) -> None:
 def test_stitches_without_the_word_in_are_no_count() -> None:
     rows = made(f"{ROWS}Row 2: Ch 1. 1 sc first st. 2 sc next st. 1 sc in each st to last st. 1 sc last st. Turn.\n")
     assert rows[-1] == (21, 21)
+
+
+def test_a_sentence_that_goes_around_a_post_is_no_count() -> None:
+    rows = made(
+        f"{ROWS}Row 2: Ch 2. 1 hdc in first st. 1 dcfp around next st. 1 hdc in each of next 16 sts. 1 dcfp around next st. 1 hdc in last st. Turn.\n"
+    )
+    assert rows[-1] == (20, 20)

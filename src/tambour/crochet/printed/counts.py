@@ -51,6 +51,10 @@ def ends_with_number(r: Reader, ahead: int) -> bool:
                 c.key("total", "round", "row", "each", ahead=ahead + 1) or c.look(ahead + 1) is None
             ):
                 return False  # "6 sc in ring"
+            if token.value == "around" and (
+                c.key("next", "each", "same", "last", ahead=ahead + 1) or c.kind("ordinal", ahead + 1)
+            ):
+                return False  # "1 fpdc around next st": around its post
             if (
                 token.value == "in"
                 and c.key("each", ahead=ahead + 1)
