@@ -344,13 +344,12 @@ def horned(radius: float = 40.0, long: float = 1.5, wide: float = 0.3) -> tuple[
     return x, faces
 
 
-def faced(radius: float = 8.0) -> tuple[Array, Array]:
+def faced(radius: float = 8.0, eyes: bool = True) -> tuple[Array, Array]:
     """A ball with two eyes and a nose that stand out of it, and a wart behind."""
     x, faces = globe(radius, 80)
     way = x / np.sqrt((x**2).sum(1))[:, None]
     for to, high in (
-        ((0.35, 0.3, 0.89), 1.3),
-        ((-0.35, 0.3, 0.89), 1.3),
+        *((((0.35, 0.3, 0.89), 1.3), ((-0.35, 0.3, 0.89), 1.3)) if eyes else ()),
         ((0.0, 0.05, 1.0), 1.2),
         ((0.0, 0.3, -0.95), 1.2),
     ):
@@ -377,6 +376,12 @@ def test_small_bumps_of_a_face_are_taken_off_and_the_wart_is_told() -> None:
     assert taken_off(x, faces, None, told)[0] == () and "4 bumps" in told[0]
     shade = np.where((np.sqrt((x**2).sum(1)) > 8.2)[:, None], [10, 10, 10], [200, 90, 60]).astype(np.uint8)
     assert (uncoloured(x, shade, found)[x[:, 2] > 0.0] == [200, 90, 60]).all()
+
+
+def test_a_nose_alone_is_worked_over_as_it_would_look_like_an_eye() -> None:
+    x, faces, _ = bodies(Mesh(*faced(eyes=False)), [])[0]
+    tell: list[str] = []
+    assert taken_off(x, faces, mirror(x, faces), tell)[0] == () and "2 bumps" in tell[0]
 
 
 @pytest.mark.parametrize("skin", [(240, 230, 220), (150, 170, 90), (120, 120, 125)])

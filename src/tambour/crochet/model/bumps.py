@@ -74,7 +74,7 @@ def taken_off(
         for pair in sorted(_pairs(ahead, plane), key=lambda pair: -float(pair[0].at[1]))[:1]:
             face += pair
         noses = [b for b in ahead if abs(float(plane.off(b.at))) < 1.0]
-        face += [max(noses, key=lambda b: float(b.at[2]))] if noses else []
+        face += [max(noses, key=lambda b: float(b.at[2]))] if noses and face else []  # alone it would look like an eye
     x, f = vertices, faces
     for one in face:
         tip = int(((x - one.tip) ** 2).sum(1).argmin())
