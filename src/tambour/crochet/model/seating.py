@@ -27,7 +27,7 @@ SOUGHT, PAIRED = 8, 4
 angles are."""
 LARGE = 4000
 """Stitches of a toy that is tried fewer times than a smaller one, as its simulation takes longer."""
-PAIR = 0.03
+PAIR = 0.08
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 WORTH = 0.3
 """How much farther off than it was at its best, in stitches, a part may be likely to come, to be tried there: how it gives way is other in
