@@ -108,3 +108,25 @@ def test_a_sentence_that_goes_around_a_post_is_no_count() -> None:
         f"{ROWS}Row 2: Ch 2. 1 hdc in first st. 1 dcfp around next st. 1 hdc in each of next 16 sts. 1 dcfp around next st. 1 hdc in last st. Turn.\n"
     )
     assert rows[-1] == (20, 20)
+
+
+@pytest.mark.parametrize(
+    "heading, many",
+    [
+        ("ANTENNA (make 2, Color 3)", 2),
+        ("ANTENNA (make 2 in Color 3)", 2),
+        ("ANTENNA (make 2 with Color 3)", 2),
+        ("Legs (make 4, 2 in each color)", 4),
+        ("Legs (make 2 in A and 2 in B)", 4),
+        ("Legs (make 4: 2 in A, 2 in B)", 4),
+        ("Legs (make 4, 2 in A and 2 in B)", 4),
+        ("Legs (make 1 with Color 1 and 1 with Color 2)", 2),
+        ("Legs (make 2, 1 in each color)", 2),
+        ("Legs, make 2 (Color 3)", 2),
+    ],
+)
+def test_the_number_of_a_yarn_is_no_number_of_copies(heading: str, many: int) -> None:
+    body = "Toy\n\nBODY\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each st. (12)\n\n"
+    limb = "\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: sc in each st. (6)\n"
+    pattern = read(Text(f"{body}{heading}{limb}", "toy.txt"))
+    assert sum(part.copies for part in pattern.parts[1:]) == many

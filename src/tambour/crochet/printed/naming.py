@@ -230,10 +230,12 @@ def made_of(text: str, heading: Heading) -> tuple[int, bool]:
 
 def _made(words: str | None) -> int:
     """How many "(make 2)", "(make 1 with B and 1 with C)", "(make 2, one in each colour)" are."""
+    words = re.sub(r"(?i)\b(?:colou?r|yarn|shade|size|page|diagram|chart|figure|no\.?)\s*#?\d+\b", " ", words or "")
     said = re.findall(rf"\b({NUMBER})\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", (words or "").lower())
     numbers = [number(w) for w in said]
     # "make 6: 2 each with A, B and C", "make 3 – 1 per rocket", "make 2, 1 in A, 1 in B": the first is the whole.
     parted = re.search(r"^\D*\w+\s*[:–—-]|\b(?:each|per)\b", words or "")
-    whole = numbers and (parted or numbers[0] == sum(numbers[1:]) > 1)
+    alike = re.search(r"^\D*\d+\s+(?:in|with|of)\b", words) is not None  # "make 2 in A and 2 in B" are four
+    whole = numbers and (parted or (numbers[0] == sum(numbers[1:]) > 1 and not alike))
     many = numbers[0] if whole else sum(numbers)
     return many if 1 <= many <= 100 else 1

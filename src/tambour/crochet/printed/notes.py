@@ -217,7 +217,8 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     """How many copies a sentence says that names yarns or versions: "(Make 1 with A and 1 with B)", "Make 2 each with A, B, C"; and whether
     they come to those already made ("Make 1 more with D"). None for another sentence."""
     tokens = [t for t in tokens if t.word not in ("(", ")", "[", "]")]
-    numbers = [k for k, t in enumerate(tokens) if t.kind == "number" and isinstance(t.value, int)]
+    c = Cursor(tokens)
+    numbers = [k for k, t in enumerate(tokens) if isinstance(t.value, int) and t.kind == "number" and _counts(c, k)]
     if (
         not tokens
         or not (tokens[0].kind == "key" and tokens[0].value == "make" and tokens[0].word != "cut")
@@ -241,6 +242,10 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     if not any(t.word in _ALIKE or (t.kind == "key" and t.value in ("with", "for", "each", "in")) for t in tokens[2:]):
         return None
     total, versions = 0, False
+    parts = [int(tokens[k].value) for k in numbers]
+    each = any(t.value == "each" for t in tokens[numbers[-1] :])
+    if len(parts) > 1 and tokens[2].word == "," and parts[0] > 1 and (each or parts[0] == sum(parts[1:])):
+        return parts[0], tokens[1].span, False  # "make 4, 2 in each color"
     for k in numbers:
         after = tokens[k + 1 : k + 16]
         end = next((n for n, t in enumerate(after) if t.kind == "number"), len(after))
@@ -293,8 +298,8 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
         c.at += 1
         worded = True
     ahead = next((k for k in range(6) if c.mark(")", "]", ahead=k)), 0)
-    if worded and ahead and not any(c.kind("stitch", k) or c.whole(k) is not None for k in range(ahead)):
-        c.at += ahead  # "(make 2 with C)"
+    if worded and ahead and not any(c.kind("stitch", k) or _counts(c, k) for k in range(ahead)):
+        c.at += ahead  # "(make 2 with C)", "(make 2, Color 3)"
     bracketed = c.mark(")", "]")
     c.at += bracketed
     if not worded and not (bracketed and c.look() is None):
@@ -304,6 +309,16 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
         c.at = begin
         return None
     return count, number.span
+
+
+def _counts(c: Cursor, ahead: int) -> bool:
+    """Whether a number there says how many, and is none that names a yarn, a hook or a page: "Color 3"."""
+    before = c.look(ahead - 1)
+    named = before is not None and (before.value in ("color", "yarn", "hook") or before.word in _NAMED_BY_NUMBER)
+    return c.whole(ahead) is not None and not named
+
+
+_NAMED_BY_NUMBER: Final = frozenset("color colour yarn shade size page diagram chart figure no #".split())
 
 
 def stated(text: str, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:
