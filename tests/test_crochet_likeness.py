@@ -227,3 +227,29 @@ def test_buttons_that_are_sewn_on_are_not_the_part_that_was_worked_last() -> Non
     said = "Sew on buttons on center front of body.\nSew the head to the body."
     pattern = read(BODY + HEAD + LIMBS.format("EARS", 2).rstrip() + f"\n{said}\n\n", "Sew on eyes.")
     assert {f.spot.part for f in of(pattern, "EARS")} == {"HEAD"}
+
+
+TRUNK = """HEAD (worked from back of head)
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-10: sc around (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+Rnd 12: (sc, dec) x 6 (12)
+Rnds 13-20: sc around (12)
+Rnd 21: dec x 6 (6)
+Fasten off and close.
+
+"""
+
+
+def test_a_head_that_is_worked_from_its_back_has_its_trunk_ahead_and_lies_on_its_body() -> None:
+    """The trunk was sewn on as a neck, and the head stood on it."""
+    for said in (TRUNK, TRUNK.replace(" (worked from back of head)", "").replace("Rnds 13-20", "Trunk-Rnds 13-20")):
+        piece = make(Text(f"Toy\n\n{BODY}{said}ASSEMBLY\nSew head to body.\n", "toy.txt"), CrochetParams(), Progress())
+        spots = Spots(piece.built)
+        head = piece.positions[piece.built.graph.part == spots.parts["HEAD"]]
+        body = piece.positions[piece.built.graph.part == spots.parts["BODY"]]
+        assert head[-6:, 2].mean() - head[:6, 2].mean() > 0.6 * float(np.ptp(head[:, 2]))
+        assert head[:, 1].mean() > body[:, 1].max() - 0.3 * float(np.ptp(body[:, 1]))

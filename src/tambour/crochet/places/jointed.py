@@ -90,8 +90,9 @@ class Jointer(Holder):
         part, host = put.copies[0][0].copy(1), put.host[0].copy(1)
         if len(put.copies) > 1 or self._lies(put.host):
             return None
-        if put.host[0] == self.work.main and self.work.nose_first(put.copies[0][0]):
-            return self._hung(put, part, host)
+        first, last = self.work.nose_first(put.copies[0][0]), self.work.nose_last(put.copies[0][0])
+        if put.host[0] == self.work.main and (first or last):
+            return self._hung(put, part, host, "side" if first else "back")
         own, other = self.work.open(part), self.work.open(host)
         h = self.work.host(put.host)
         span = put.span
@@ -111,20 +112,20 @@ class Jointer(Holder):
         self.stand.place(record)
         return [record]
 
-    def _hung(self, put: Put, part: str, host: str) -> list[Placed] | None:
-        """A head that was worked from its nose lies on the body: the body's end is sewn to its underside."""
+    def _hung(self, put: Put, part: str, host: str, up: str) -> list[Placed] | None:
+        """A head that was worked from its nose, or to it, lies on the body: the body's end is sewn to its underside."""
         assert put.host is not None
         work, index = self.work, self.work.spots.parts[part]
         if not work.open(host) and self.work.host(put.host).pole(np.array([0.0, 1.0, 0.0])) is None:
             return None
-        self.stand.set_up(index, "side")
+        self.stand.set_up(index, up)
         head = work.host((put.copies[0][0], 1))
         spot = replace(self._beneath(head), span=put.span)
         if not self.stand.there(spot):
             return None
         record = Placed(host, spot, span=put.span)
         work.made.ups.pop(put.host[0].name, None)
-        work.made.ups[put.copies[0][0].name] = "side"
+        work.made.ups[put.copies[0][0].name] = up
         self.stand.place(record)
         return [record]
 

@@ -26,6 +26,10 @@ _AHEAD: Final = re.compile(
     r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
     r"(?:nose|snout|muzzle|front|bow|head end|face end|(?:cent(?:er|re) of (?:the )?)?face)\b(?! (?:leg|paw|loop))"
 )
+_LAST: Final = re.compile(
+    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?back\b|\n\s*(?:trunk|snout|beak|muzzle)\s*(?:[-–—:]|\n)\s*(?:round|rnd)s? \d",
+    re.IGNORECASE,
+)
 _SAME: Final = re.compile(r"\b(?:same as|as (?:given )?for|like)\b")
 _FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
 _WITHIN: Final = re.compile(
@@ -155,6 +159,14 @@ class Toy:
     def nose_first(self, made: Made) -> bool:
         """Whether a head is worked from its nose to its back."""
         return made.kind == "head" and "body" not in made.kinds and self.ahead(made)
+
+    def nose_last(self, made: Made) -> bool:
+        """Whether a head is worked from its back to its trunk or snout, which its last rounds are."""
+        if made.kind != "head" or "body" in made.kinds or self.ahead(made):
+            return False
+        part = next(p for p in self.built.pattern.parts if p.name == made.name)
+        spans = [line.span.end for line in part.lines]
+        return _LAST.search(self.text, part.span.start, max(spans, default=part.span.end)) is not None
 
     def _half(self, part: int, low: int, high: int) -> int | None:
         """The round in the middle of a part that is clearly longer than wide; None of a ball."""
