@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from tambour.crochet.printed.cursor import Cursor
@@ -230,6 +231,24 @@ def drawn_tight(tokens: list[Token]) -> bool:
     return not closed_flat(tokens) and bool(
         words & _TIGHT and words & {"pull", "draw", "close", "thread", "cinch", "weave"}
     )
+
+
+def gathered_shut(words: str) -> bool:
+    """Whether a sentence of English draws the last round together by its tail: "Thread tail through sts of last rnd and pull tight to close"."""
+    led = words.rstrip().endswith(":")  # what closes it stands behind
+    return not led and _GATHERS.search(words) is not None and _ELSEWHERE.search(words) is None
+
+
+_GATHERS: Final = re.compile(
+    r"\b(?:weave|weaving|thread|run|pull|draw|gather|cinch|close)\b[^.;]{0,90}\b(?:tight|tightly|closed?|shut|gather|cinch(?:ed)?)\b"
+    r"|\bsew\b[^.;]{0,30}\b(?:closed|shut)$|\bclose (?:up )?(?:the |remaining |top |small |this )*(?:hole|opening|gap|end|top)\b",
+    re.IGNORECASE,
+)
+_ELSEWHERE: Final = re.compile(
+    r"\b(?:not|don['’]t|open|slightly|leaving a|to (?:form|cause|shape|make)|flat|flatten(?:ed)?|flattening|fold|folded|half|layers|thicknesses|seam|crotch|cent(?:er|re)|ring|loop|beginning|first|start(?:ing)?|foundation|to (?:the )?(?:body|head|"
+    r"face|other)|head|body|legs?|arms?|together|both|between|at|round \d|rnd \d|rounds|side|sides|edges?)\b",
+    re.IGNORECASE,
+)
 
 
 def _and_stitches(c: Cursor) -> bool:

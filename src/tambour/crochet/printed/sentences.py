@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.graph.ends import MOST_AT_TIP
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import STUFFING, UPS
 from tambour.crochet.language.tree import Action, Group, Line
@@ -29,7 +30,7 @@ from tambour.crochet.printed.conventions import convention, turned_always
 from tambour.crochet.printed.counted import counts_last
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
-from tambour.crochet.printed.doings import by_hand
+from tambour.crochet.printed.doings import by_hand, gathered_shut
 from tambour.crochet.printed.doings import works as works_at
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
@@ -109,7 +110,7 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
             any_read = True
         elif sentence and lefts and p.parts and p.parts[-1].last and bare_count(sentence) is not None:
             lefts.append(sentence)  # the count of what was not read
-        elif sentence and (sentence_read(p, sentence) or _chained(p, sentence)):
+        elif sentence and (_shut(p, sentence) or sentence_read(p, sentence) or _chained(p, sentence)):
             any_read = True
             if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
                 p.parts[-1].marks.append((p.starred, before if len(p.parts) == count else 0))
@@ -119,6 +120,18 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         elif sentence:
             lefts.append(sentence)
     return any_read
+
+
+def _shut(p: State, tokens: list[Token]) -> bool:
+    """Notes that the part under way is drawn together at its end, though a tail is left there; never goes past the sentence."""
+    draft = p.parts[-1] if p.parts else None
+    if draft is None or p.heading is not None or not draft.last or p.mode in ("materials", "abbreviations", "assembly"):
+        return False
+    text, end = p.source.text.text, tokens[-1].end
+    small = draft.edge is not None and draft.edge <= MOST_AT_TIP
+    if small and p.language.code in ("us", "uk") and gathered_shut(text[tokens[0].start : end]):
+        draft.ends = "close"
+    return False
 
 
 def _chained(p: State, tokens: list[Token]) -> bool:
