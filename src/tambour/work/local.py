@@ -11,6 +11,7 @@ import tempfile
 import threading
 from collections.abc import Mapping
 from concurrent.futures import Future
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,8 @@ KEPT = 4
 TRIES = 3
 """How often a piece is begun whose worker dies of it, or is killed by somebody."""
 UNLIMITED = 1 << 62
+LEAVE = 10.0
+"""Seconds that workers, and what waits for them, have to end once they are killed."""
 
 
 def processors() -> int:
@@ -122,13 +125,20 @@ class Local:
         await hand.close()
 
     async def _end(self) -> None:
+        """Ends what goes on before the workers: a job whose worker is gone would begin another one. Nobody is waited for longer than LEAVE."""
         others = [t for t in asyncio.all_tasks() if t is not asyncio.current_task()]
-        for hand in list(self._hands):
+        for hand in self._hands:
             if hasattr(hand, "process"):
-                await self._drop(hand)
+                hand.kill()
         for task in others:
             task.cancel()
-        await asyncio.gather(*others, return_exceptions=True)
+        if others:
+            await asyncio.wait(others, timeout=LEAVE)
+        for hand in list(self._hands):
+            if hasattr(hand, "process"):
+                with suppress(TimeoutError):
+                    async with asyncio.timeout(LEAVE):
+                        await self._drop(hand)
 
 
 def _plain(job: Job) -> dict[str, Any]:
