@@ -74,3 +74,9 @@ def test_a_tail_that_draws_the_last_round_together_closes_it_however_long_it_is_
 @pytest.mark.parametrize("words", OPEN)
 def test_an_end_that_is_sewn_on_or_folded_stays_open(words: str) -> None:
     assert not closed(beak(RING, words))
+
+
+@pytest.mark.parametrize("words, shut", [*((w, True) for w in SHUT), *((w, False) for w in OPEN)])
+def test_it_is_so_on_the_line_of_the_last_round_too(words: str, shut: bool) -> None:
+    text = f"{BODY}{RING}{END.rstrip()} {words}\n\nASSEMBLY\nSew beak to body.\n"
+    assert closed(read(Text(text, "toy.txt")).parts[1]) is shut

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tambour.crochet.graph.hook import Hook
-from tambour.crochet.graph.spaces import ahead_of_space, is_chain, spaces_ahead
+from tambour.crochet.graph.spaces import ahead_of_space, is_chain, space_ahead, spaces_ahead
 from tambour.crochet.language.stitches import MOST, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 
@@ -58,13 +58,15 @@ def mixed(group: Group) -> bool:
 
 
 def come(hook: Hook, group: Group) -> tuple[Item, ...]:
-    """What of a ``mixed`` bracket comes next: that for a space where the next stitch is a chain; nothing where the round is at its end."""
+    """What of a ``mixed`` bracket comes next: that for a space where the next stitch is a chain of such a one; nothing where the round is at
+    its end."""
     one, other = group.items
     assert isinstance(one, Group) and isinstance(other, Group)
     ahead = next((n for n in hook.now.front if n >= 0), -1)
     if hook.ahead <= 0 or ahead < 0:
         return ()
-    return other.items if is_chain(hook, ahead) else one.items
+    space = is_chain(hook, ahead) and (not other.chains or other.chains == space_ahead(hook))
+    return other.items if space else one.items
 
 
 def _takes(hook: Hook, items: tuple[Item, ...], stitches: Mapping[str, Stitch]) -> int:

@@ -51,6 +51,14 @@ def spaces_ahead(hook: Hook, chains: int = 0) -> int:
     return sum(not chains or many == chains for _, many in _ahead(hook))
 
 
+def space_ahead(hook: Hook) -> int:
+    """How many chains the next space is of, 0 where there is none, and where the last stitch stands on the first of its chains."""
+    ahead, before = next((n for n in hook.now.front if n >= 0), -1), hook.now.spine[0] if hook.now.spine else -1
+    if is_chain(hook, ahead) and is_chain(hook, before) and _linked(hook, before, ahead):
+        return 0
+    return next((chains for _, chains in _ahead(hook)), 0)
+
+
 def ahead_of_space(hook: Hook, until: int) -> tuple[int, int]:
     """How many stitches, and how many other spaces, lie before the next chain space of ``until`` chains, below zero before the last of so
     many; to the end of the round where it has no such space left."""

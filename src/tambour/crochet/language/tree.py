@@ -32,13 +32,14 @@ class Action:
 class Group:
     """Items worked several times; ``times`` None is "around": as often as the round still has stitches for, but for the
     last ``leaves`` of them ("to last 2 sts"), or up to a chain space: the next one of ``until`` chains, below zero the last
-    such ("to next ch-1 sp", "to last ch-2 sp")."""
+    such ("to next ch-1 sp", "to last ch-2 sp"). ``chains`` : of one into each space, how many chains the spaces meant are of (0: all)."""
 
     items: tuple[Item, ...]
     times: int | None
     span: Span
     leaves: int = 0
     until: int = 0
+    chains: int = 0
 
 
 Item = Action | Group

@@ -20,6 +20,7 @@ class Where:
     loops : "flo", "blo" or ""; ordinal : of a chain from the hook; together : one stitch over all the places
     spaces : the places are spaces of chains
     leaves : of "around", how many stitches at the end are left ("to last 2 sts")
+    chains : how many chains the spaces are of, 0 where that is not said
     until : of "around", the chain space that it goes to, as of :class:`Group`
     final : they are the last ones of the round; other : every other one only
     marked : it is the marked stitch, or those up to it
@@ -38,6 +39,7 @@ class Where:
     other: bool = False
     marked: bool = False
     until: int = 0
+    chains: int = 0
 
 
 LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -54,7 +56,7 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     begin = c.at
     kind = loops = ""
     each = counted = together = placed = spaces = final = other = marked = False
-    count, ordinal, leaves, until = 1, 0, 0, 0
+    count, ordinal, leaves, until, chains = 1, 0, 0, 0, 0
     while (token := c.look()) is not None:
         if token.kind == "key":
             if token.value == "to" and (many := to_last(c)) is not None:
@@ -150,10 +152,12 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 break  # "in BLO sc around" works single crochets there, "sl st in back loops only ch 1" a chain
             placed = True
             ahead = 1 + c.mark("-", ahead=1)
+            of = c.whole(ahead) or 0
             ahead += c.kind("number", ahead)
             corner = c.look(ahead)
             ahead += corner is not None and corner.word in _CORNERS  # "ch-2 corner sp"
             if token.value == "ch" and c.key("space", "loop", ahead=ahead):  # "ch-2 sp"
+                chains = of
                 kind, spaces = kind if each or kind in ("same", "first") else "space", True
                 c.at += ahead
         elif inside and not placed and token.word in _CORNERS and (c.key("space", ahead=1) or c.kind("stitch", 1)):
@@ -214,7 +218,7 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
     return Where(
-        kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked, until
+        kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked, until, chains
     )
 
 

@@ -136,7 +136,9 @@ def count(r: Reader, found: list[Item]) -> bool:
     while (
         c.look() is not None
         and not c.mark(".", "(", "[", ";", "*", "**")
-        and not (c.mark("-") and not c.key("space", ahead=2))
+        and not (
+            c.mark("-") and not (c.whole(1) is not None and (named := c.look(-1)) is not None and named.value == "ch")
+        )
     ):
         c.at += 1
     r.body.loose = r.body.loose or any(things(Cursor(c.tokens, k)) for k in range(begun + 1, c.at))

@@ -39,6 +39,9 @@ _LEAD: Final = frozenset(
     ).split()
 )
 _TIGHT: Final = frozenset(("close closed final gather last rem remaining secure tight tightly").split())
+_BEGUN: Final = frozenset(
+    "center centre ring loop mr mc beginning slightly".split()
+)  # the other end is drawn tight, or this one not quite
 _BEFORE: Final = frozenset("once while when if after before holding starting beginning referring using".split())
 _STRANDS: Final = frozenset("strand strands fringe ends".split())  # what hands draw through where no stitch is made
 _USED: Final = frozenset(
@@ -228,7 +231,7 @@ def closed_flat(tokens: list[Token]) -> bool:
 def drawn_tight(tokens: list[Token]) -> bool:
     """Whether a doing draws the last round together."""
     words = {t.word for t in tokens}
-    return not closed_flat(tokens) and bool(
+    return not (closed_flat(tokens) or words & _BEGUN) and bool(
         words & _TIGHT and words & {"pull", "draw", "close", "thread", "cinch", "weave"}
     )
 

@@ -7,7 +7,7 @@ import re
 from dataclasses import replace
 from typing import Final
 
-from tambour.crochet.printed.idioms import put
+from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row
 from tambour.crochet.words.numbers import NUMBER
 
@@ -69,10 +69,5 @@ def doubled(rows: list[Row]) -> list[Row]:
 
 
 def _row(row: Row) -> Row:
-    tokens = row.tokens
-    words = " ".join([t.word for t in tokens])
-    for said, meant in _SAYINGS:
-        if said.search(words):
-            tokens = put(tokens, said, meant)
-            words = " ".join([t.word for t in tokens])
+    tokens = reworded(row.tokens, _SAYINGS)
     return row if tokens is row.tokens else replace(row, tokens=tokens)

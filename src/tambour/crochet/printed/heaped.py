@@ -140,7 +140,7 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
         return [together(r, parts, token, "ring")]
     one = together(r, parts, token, "sp" if place.spaces else "")
     if place.kind == "around":
-        return [Group((one,), None, place.span, place.leaves)]
+        return [Group((one,), None, place.span, place.leaves, place.until, place.chains if place.spaces else 0)]
     return [Action(one.name, one.span, place.count, place.span)]
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from itertools import accumulate
 from typing import Final
 
+from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
@@ -139,50 +139,5 @@ def _row(row: Row) -> Row:
     tokens = row.tokens
     flat = any(t.word in _ROWS for t in tokens[:6])
     tokens = _numbered(tokens)
-    words = " ".join([t.word for t in tokens])
-    for said, meant in ((_AS, "as {1} row" if flat else "as {1} round"), *_IDIOMS):
-        if said.search(words):
-            tokens = put(tokens, said, meant)
-            words = " ".join([t.word for t in tokens])
+    tokens = reworded(tokens, ((_AS, "as {1} row" if flat else "as {1} round"), *_IDIOMS))
     return row if tokens is row.tokens else replace(row, tokens=tokens)
-
-
-def put(tokens: list[Token], said: re.Pattern[str], meant: str) -> list[Token]:
-    """``tokens`` with what ``said`` finds in their words as ``meant``, whose numbers in braces are its groups."""
-    words = " ".join([t.word for t in tokens])
-    found = list(said.finditer(words))
-    if not found:
-        return tokens
-    begins = [0, *accumulate(len(t.word) + 1 for t in tokens)]
-    made: list[Token] = []
-    done = 0
-    for one in found:
-        first, last = _between(begins, one.start(), one.end())
-        if last <= first:
-            continue
-        made += tokens[done:first]
-        for word in meant.split():
-            if word[0] == "{":
-                at = one.span(int(word[1:-1]))
-                if at[0] < 0:
-                    continue  # a group that took no part
-                a, b = _between(begins, *at)
-                within = at[0] not in begins  # the 3 of "x3"
-                made += [_word(one[int(word[1:-1])], tokens[first], tokens[last - 1])] if within else tokens[a:b]
-            else:
-                made.append(_word(word, tokens[first], tokens[last - 1]))
-        done = last
-    return [*made, *tokens[done:]]
-
-
-def _between(begins: list[int], start: int, end: int) -> tuple[int, int]:
-    """The tokens that stand from one character of the words to another."""
-    first = next((k for k, at in enumerate(begins) if at >= start), len(begins) - 1)
-    last = next((k for k, at in enumerate(begins) if at >= end), len(begins) - 1)
-    return first, last
-
-
-def _word(word: str, first: Token, last: Token) -> Token:
-    number = word.isdigit()
-    kind = "number" if number else "word" if word[0].isalpha() else "mark"
-    return Token(kind, word, first.start, last.end, int(word) if number else None, False, first.capital)

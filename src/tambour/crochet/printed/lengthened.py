@@ -8,7 +8,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.tree import Action
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.tokens import Token
 
@@ -36,7 +36,7 @@ def lengthened(source: Source, draft: Draft, tokens: list[Token]) -> list[Token]
         return tokens
     rows[-1] = replace(rows[-1], items=rows[-1].items[:-1])
     longer = chain - nth + 1
-    draft.lines[-1:] = [*rows, replace(last, items=(Action("ch", span, longer + 1), turn), span=span, in_round=False, times=1, times_span=None, number=None, stated=None, stated_span=None, again=None, notes=())]  # fmt: skip
+    draft.lines[-1:] = [*rows, Line((Action("ch", span, longer + 1), turn), span, False)]
     draft.edge = draft.edges[draft.last] = draft.edge + longer
     first = Token("key", "next", tokens[at].start, tokens[at].end, "next")
     return [*tokens[end:at], first, tokens[at + 1], *tokens[at + 4 :]]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Final
 
+from tambour.crochet.printed.reworded import between, word
 from tambour.crochet.printed.tokens import Row, Token
 
 _LOOKED_AT: Final = 150  # lines that may say what a name means
@@ -105,16 +106,12 @@ def _put(row: Row, said: re.Pattern[str], known: dict[str, _Shell]) -> Row:
     made: list[Token] = []
     done = 0
     for found in said.finditer(words):
-        first = next((k for k, at in enumerate(begins) if at == found.start()), -1)
-        last = next((k for k, at in enumerate(begins) if at >= found.end()), len(tokens))
+        first, last = between(begins, *found.span())
         before = tokens[first - 1] if first > 0 else None
         if first < done or (before is not None and (before.kind == "number" or before.word in _SPOKEN)):
             continue  # "19 shells" counts them
         made += tokens[done:first]
-        text = _meant(found, known)
-        if text.endswith(" in"):  # its place is said behind it
-            text = text[:-3]
-        made += [_word(w, tokens[first], tokens[last - 1]) for w in text.split()]
+        made += [word(w, tokens[first], tokens[last - 1]) for w in _meant(found, known).split()]
         done = last
     return row if not done else replace(row, tokens=[*made, *tokens[done:]])
 
@@ -141,9 +138,3 @@ def _meant(found: re.Match[str], known: dict[str, _Shell]) -> str:
         )
     )
     return f"* {one} ; repeat from * {found['around'] or 'around'}" if each == "each" else one
-
-
-def _word(word: str, first: Token, last: Token) -> Token:
-    number = word.isdigit()
-    kind = "number" if number else "word" if word[0].isalpha() else "mark"
-    return Token(kind, word, first.start, last.end, int(word) if number else None, False, first.capital)

@@ -59,11 +59,11 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         c.at += 4
         return
     place = r.before or where(c, name == "skip")
-    if place is not None and place.spaces and r.solid and not _chains(c.tokens, c.at) and name != "slst":
+    if place is not None and place.spaces and r.solid and not place.chains and name != "slst":
         place.spaces = False  # "hdc in each space around", between the stitches of a round without chains
         place.kind = "next" if place.kind == "space" else place.kind
-    if name == "skip" and place is not None and place.spaces and (chains := _chains(c.tokens, c.at)):
-        found.append(Action("skip", token.span, chains * place.count, place.span))  # one by one
+    if name == "skip" and place is not None and place.spaces and place.chains:
+        found.append(Action("skip", token.span, place.chains * place.count, place.span))  # one by one
         return
     if (
         name == "skip"
@@ -241,12 +241,6 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
             found += [*_lower(r, found, name, before, after, token, place), both]
             continue
         found += _lower(r, found, name, before, after, token, place)
-
-
-def _chains(tokens: list[Token], end: int) -> int:
-    """How many chains the space has that ends before ``end``, "ch-2 sp"; 0 where that is not said."""
-    number = next((t for t in tokens[max(0, end - 3) : end] if t.kind == "number"), None)
-    return number.value if number is not None and isinstance(number.value, int) else 0
 
 
 def _own_chain(r: Reader, found: list[Item]) -> int:
