@@ -726,3 +726,17 @@ def test_a_leg_of_a_v_shows_its_plies() -> None:
     assert 1.3 < KINDS["wool"].plies * radii / fabric.LAY < 3.0
     # Where it is twisted least, it still is.
     assert fabric.WANDER * (2.1 + 2.2 * 0.57 + 0.5 * 4.3) < 0.4
+
+
+def test_only_neighbours_are_drawn_together_as_one_v() -> None:
+    """Stitches through both layers of a folded edge, and tall ones together, have a loop for each that they are worked into."""
+    base = "R1: MR(6)\nR2: 6 inc\nR3: 12 sc\n"
+    for last, many in (
+        ("R4: [2 sc, dec] x 3\n", 3),
+        ("R4: 4 dec3\n", 4),
+        ("R4: fold, 6 sc\n", 0),
+        ("R4: 6 hdcdec\n", 0),
+    ):
+        graph = build(parse(Text(base + last, "bag.acl"))).graph
+        assert lead.invisible(graph, lead.roles(graph)).sum() <= (many if many else 1), last
+        assert lead.invisible(graph, lead.roles(graph)).sum() >= many, last

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from pathlib import Path
 
 import pytest
@@ -130,3 +131,44 @@ def test_the_number_of_a_yarn_is_no_number_of_copies(heading: str, many: int) ->
     limb = "\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: sc in each st. (6)\n"
     pattern = read(Text(f"{body}{heading}{limb}", "toy.txt"))
     assert sum(part.copies for part in pattern.parts[1:]) == many
+
+
+BALL = "BALL\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each st. (12)\nRnd 3: (sc, inc) x 6 (18)\n"
+
+
+@pytest.mark.parametrize(
+    "words, rounds",
+    [
+        ("Rep last round with 1 extra sc between increases 2 times. (30)", [24, 30]),
+        ("Repeat last round with 1 more sc between increases 3 times", [24, 30, 36]),
+    ],
+)
+def test_how_often_is_no_step(words: str, rounds: list[int]) -> None:
+    assert [one for one, _ in made(f"{BALL}{words}\n")][-len(rounds) :] == rounds
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Repeat Rnd 3 3 times, but with 1 less sc before the color change",
+        "Rnd 4: sc in the stitch after the marker, sc to end. (18)",
+        "Rnd 4: sc in each of next 5 sts, 4 sts are left unworked, sc in next 3 (8)",
+    ],
+)
+def test_what_only_looks_like_it_is_told(words: str) -> None:
+    pattern = read(Text(f"{TOP}{BALL}{words}\n", "ball.txt"))
+    assert pattern.unread or any("the pattern says" in w.message for w in build(pattern).warnings)
+
+
+def test_a_named_group_stays_a_heading_and_a_noun() -> None:
+    petal = "Petal = (ch 2, 3 dc, ch 2) in next st"
+    text = f"Flower\n\nABBREVIATIONS\n{petal}\n\nCENTRE\nRnd 1: 6 sc in mr (6)\nRnd 2: inc x 6 (12)\n\nPetals (make 3)\nRnd 1: 6 sc in mr (6)\n\nSew the three petal bases to the centre.\n"
+    pattern = read(Text(text, "flower.txt"))
+    assert [(part.name, part.copies) for part in pattern.parts] == [("CENTRE", 1), ("Petals", 3)] and not pattern.unread
+
+
+def test_leads_without_end_are_read_in_no_time() -> None:
+    for words in ("As for Head " + "but and " * 1500, "Rnd 4: repeat " + "but " * 3000):
+        begin = time.process_time()
+        read(Text(f"{TOP}{BALL}{words}\n", "ball.txt"))
+        assert time.process_time() - begin < 6.0  # it was minutes

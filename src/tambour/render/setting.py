@@ -43,7 +43,7 @@ def wall(width: int, height: int, table: Table) -> Array:
 PANES = (0.20, 0.12, 0.26, 0.34)
 """Where the window's light falls on the wall, from the picture's middle and top, and half of how wide and high it is, in the picture's width."""
 BEFORE = 1.33
-"""What is nearer than the focus by so much of its distance is out of focus as well: the table before the thing."""
+"""What is nearer than the focus by more than this, as their ratio, is out of focus as well: the table before the thing."""
 HAZE, LIT = 0.05, 0.22
 """How far out of focus the wall is, as a share of the picture; how bright the window's light is on it, as a share of its colour."""
 

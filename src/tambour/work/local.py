@@ -125,7 +125,7 @@ class Local:
         await hand.close()
 
     async def _end(self) -> None:
-        """Ends what goes on before the workers: a job whose worker is gone would begin another one. Nobody is waited for longer than LEAVE."""
+        """Ends what goes on before the workers: a job whose worker is gone would begin another one. Neither is waited for longer than LEAVE."""
         others = [t for t in asyncio.all_tasks() if t is not asyncio.current_task()]
         for hand in self._hands:
             if hasattr(hand, "process"):
@@ -134,11 +134,9 @@ class Local:
             task.cancel()
         if others:
             await asyncio.wait(others, timeout=LEAVE)
-        for hand in list(self._hands):
-            if hasattr(hand, "process"):
-                with suppress(TimeoutError):
-                    async with asyncio.timeout(LEAVE):
-                        await self._drop(hand)
+        with suppress(TimeoutError):
+            async with asyncio.timeout(LEAVE):
+                await asyncio.gather(*(self._drop(hand) for hand in list(self._hands) if hasattr(hand, "process")))
 
 
 def _plain(job: Job) -> dict[str, Any]:

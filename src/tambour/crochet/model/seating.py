@@ -63,8 +63,8 @@ def seated(
     many = min(1.0, LARGE / sum(len(g) for p in pieces for g in p.goals))
     singles: list[tuple[Key, ...]] = [(key,) for key in seats.keys]
     sought(seats, singles, None, max(2, round(SOUGHT * many)))
-    if plane is not None:
-        pairs = [tuple((k, c) for c in range(p.rounds.copies)) for k, p in enumerate(pieces) if p.rounds.copies == 2]
+    pairs = [tuple((k, c) for c in range(p.rounds.copies)) for k, p in enumerate(pieces) if p.rounds.copies == 2]
+    if plane is not None and pairs:
         both = {key for pair in pairs for key in pair}
         sought(seats, [*pairs, *(one for one in singles if one[0] not in both)], plane, max(2, round(PAIRED * many)))
     return seats.best.pieces, seats.best.put.lines, seats.way
@@ -130,6 +130,7 @@ class Seats:
         """How all comes to rest that is put so; its price is taken for ``less`` than it is."""
         now = rested(self.pieces, put.lines, put.x, self.target, self.params, self.stitch)
         self.had.append(Seat(self.pieces, put, now, nudges, now.price - less))
+        self.away = {}
         names = {p.name(c): (k, c) for k, p in enumerate(self.pieces) for c in range(len(p.goals))}
         for one, other in now.crowd:
             a, b = names[one.part], names[other.part]
@@ -152,8 +153,9 @@ def sought(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, tim
     mine: list[Seat] = [] if even else list(old)
 
     def best(unit: tuple[Key, ...]) -> Seat:
-        """The way in which a unit lay best; before there is one of pairs, that of its parts by themselves."""
-        return min(mine or old, key=lambda seat: sum(seat.rest.off[key] for key in unit))
+        """The way in which a unit lay best: a pair among those of pairs, once there is one."""
+        had = mine if len(unit) > 1 and mine else [*old, *mine] if even else mine
+        return min(had, key=lambda seat: sum(seat.rest.off[key] for key in unit))
 
     for k in range(times + 1):
         aims: Nudges = {}

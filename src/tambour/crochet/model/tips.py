@@ -111,9 +111,9 @@ def facing(vertices: Array, faces: Array, front: str | None) -> Array:
     """The rotation (3, 3) about y that turns the front of a model, which stands upright, to z. ``front``: the side that is,
     or None to find out.
 
-    That is z ahead, and x of what is its own mirror image across z and not across x. But small forms are a face: where nearly all of
-    them are behind, that is the front. And of an animal on its feet whose face does not tell the head is
-    the front: where all that is high lies at one end, and what is low at the other, the high end. One that is no mirror image of
+    That is z ahead, and x of what is its own mirror image across z and not across x. But small forms are a face: where they
+    clearly look and lie behind (:mod:`tambour.crochet.model.faced`), on a model that is its own mirror image and stands, that is the
+    front. And of an animal on its feet whose face does not tell the head is the front: where all that is high lies at one end, and what is low at the other, the high end. One that is no mirror image of
     itself, as in a stride, and is nearer to being one across z than across x, looks along x to where its head is.
     """
     turns = {

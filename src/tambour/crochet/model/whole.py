@@ -267,9 +267,10 @@ def closed_up(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[A
     holes = 0
     for begin in sorted(after):
         while after.get(begin):
-            loop, at = [begin], after[begin].pop()
-            while at not in loop and after.get(at):
+            loop, seen, at = [begin], {begin}, after[begin].pop()
+            while at not in seen and after.get(at):
                 loop.append(at)
+                seen.add(at)
                 at = after[at].pop()
             if at in loop[1:]:  # holes that touch at a corner are two: the way up to it is walked again
                 after[begin].append(loop[1])

@@ -109,18 +109,24 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
 
 
 def table(piece: Plush) -> str:
-    """What a piece lies on in its picture, by the colour of most of its stitches: the same while one works on it."""
+    """What a piece lies on in its picture, the same while one works on it: among those that its commonest yarn stands out from, by its name,
+    its yarn and what it is of."""
     import numpy as np
 
     from tambour.color import linear
 
-    colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
-    if not len(colors):
-        return DEEP[0]
-    most = colors[int(np.argmax(count))]
-    light = float(linear(most / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
+    most = _commonest(piece)
+    light = float(linear(np.array(most) / 255.0) @ np.array([0.2126, 0.7152, 0.0722])) if most else 0.0
     among = PALE if light > 0.45 else DEEP
     return among[_number(piece) % len(among)]
+
+
+def _commonest(piece: Plush) -> list[int]:
+    """The colour of most of a piece's stitches; none of one without."""
+    import numpy as np
+
+    colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
+    return list(colors[int(np.argmax(count))].tolist()) if len(colors) else []
 
 
 def _number(piece: Plush) -> int:
@@ -128,12 +134,9 @@ def _number(piece: Plush) -> int:
     most of its stitches, and what it is of."""
     from zlib import crc32
 
-    import numpy as np
-
-    colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
-    most = colors[int(np.argmax(count))].tolist() if len(colors) else []
     parts = piece.built.pattern.parts
-    return crc32(repr((parts[0].name if parts else "", most, piece.params.material, piece.params.specimen)).encode())
+    said = (parts[0].name if parts else "", _commonest(piece), piece.params.material, piece.params.specimen)
+    return crc32(repr(said).encode())
 
 
 def sheet(piece: Plush) -> bool:

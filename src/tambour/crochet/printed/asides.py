@@ -58,7 +58,7 @@ _THINGS: Final = frozenset(
         "petal", "petals", "leg", "legs", "ear", "ears", "group", "groups", "toe", "toes", "point", "points", "spine", "spines",
         "thumb", "finger", "fingers", "tentacle", "tentacles", "pompom", "pompoms", "cluster", "clusters", "shell", "shells",
         "picot", "picots", "loops", "corner", "corners", "v", "leaf", "leaves", "claw", "claws", "curl", "curls", "horn", "horns",
-        "repeats", "rays",  "tooth", "teeth", "scale", "scales", "wing", "wings", "bobbles", "ruffle", "fan", "fans", "center",
+        "repeats", "rays", "tooth", "teeth", "scale", "scales", "wing", "wings", "bobbles", "ruffle", "fan", "fans", "center",
     )
 )  # fmt: skip
 

@@ -215,7 +215,7 @@ def elsewhere(
     if back is not None:
         goto, edge, (ahead, behind) = back
         again = decided(p.source, tokens, p.palette, edge, p.phrases, times)
-        if again.fit or again.stated is None:
+        if again.items and (again.fit or again.stated is None):
             if owner is not draft:
                 p.parts.remove(draft)
                 owner.lines += [line for line in draft.lines if not draft.begun()]

@@ -242,14 +242,16 @@ def gathered_shut(words: str) -> bool:
     return not led and _GATHERS.search(words) is not None and _ELSEWHERE.search(words) is None
 
 
+_SHUT: Final = r"(?:tight|tightly|closed?|shut|gather|cinch(?:ed)?)"
 _GATHERS: Final = re.compile(
-    r"\b(?:weave|weaving|thread|run|pull|draw|gather|cinch|close)\b[^.;]{0,90}\b(?:tight|tightly|closed?|shut|gather|cinch(?:ed)?)\b"
+    rf"\b(?:weave|weaving|thread|run|pull|draw)\b[^.;]{{0,60}}\b(?:tail|end|yarn|needle|thread|it|through)\b[^.;]{{0,60}}\b{_SHUT}\b"
+    rf"|^(?:and |then )?(?:pull|draw|gather|cinch)\b[^.;,]{{0,40}}\b{_SHUT}\b|\b(?:gather|cinch|draw|pull) (?:up|the top|the opening)\b[^.;]{{0,30}}\b(?:{_SHUT}|fasten|securely)\b"
     r"|\bsew\b[^.;]{0,30}\b(?:closed|shut)$|\bclose (?:up )?(?:the |remaining |top |small |this )*(?:hole|opening|gap|end|top)\b",
     re.IGNORECASE,
 )
 _ELSEWHERE: Final = re.compile(
-    r"\b(?:not|don['’]t|open|slightly|leaving a|to (?:form|cause|shape|make)|flat|flatten(?:ed)?|flattening|fold|folded|half|layers|thicknesses|seam|crotch|cent(?:er|re)|ring|loop|beginning|first|start(?:ing)?|foundation|to (?:the )?(?:body|head|"
-    r"face|other)|head|body|legs?|arms?|together|both|between|at|round \d|rnd \d|rounds|side|sides|edges?)\b",
+    r"\b(?:not|don['’]t|open|slightly|leaving a|to (?:form|cause|shape|make)|flat|flatten(?:ed)?|flattening|fold|folded|half|layers|thicknesses|seam|crotch|cent(?:er|re)|ring|loop|beginning|first|"
+    r"start(?:ing)?|foundation|to (?:the )?(?:body|head|face|other)|head|body|legs?|arms?|together|both|between|at|round \d|rnd \d|rounds|side|sides|edges?|colou?rs?|chang\w+|glue|lid|in (?:the |all )?(?:loose )?ends)\b",
     re.IGNORECASE,
 )
 

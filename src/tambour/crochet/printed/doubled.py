@@ -44,7 +44,7 @@ _SAYINGS: Final = tuple(
         (rf"(?:always|crochet|work|knit|sc|single crochet)(?: crochet| work| knit)? (?:the )?(?:next )?{_TWO} {_ST} (?:together|tog)", "dec"),
         (rf"(?:crochet|work|sc|single crochet) (?:the )?(?:next )?{_TWO} together", "dec"),
         (rf"(, (?:then |and )?){_TWO} together(?= ?[,;.(\[]| ?$)", "{1} dec"),
-        (r"in(?:to)? the (?:stitch|st|one) after(?: that| this)?", "in next st"),
+        (r"in(?:to)? the (?:stitch|st|one) after(?: that| this)?(?= ?[,;.(\[)\]]| and\b| ?$)", "in next st"),
         (r"(\w+) times over", "{1} times"),
         (r"(repeat(?: this| that)? \w+ times) in (?:all|total)", "{1}"),
         (r"(?:go|going|carry on|keep going) around like (?:that|this)", "repeat around"),

@@ -146,6 +146,7 @@ def decided(
         plain, many = again
         if body.stated in (None, edge):
             body.items, body.rounds = plain, many
+            source.doubt(f"this is read as {many[0]} rounds", "say which rounds they are: Rnds 4-7", many[1])
     last = body.items[-1] if body.items else None
     if isinstance(last, Action) and last.name == "turn" and edge and chain is None and fit(body) < 2:
         done = worked(body.items, edge, source.stitches)

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import accumulate, takewhile
 from typing import Final
 
+from tambour.crochet.printed.reworded import word
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.numbers import NUMBERS, ORDINALS, TEENS
 
@@ -297,10 +298,4 @@ def _put(tokens: list[Token], begin: int, end: int, meant: str, colon: bool) -> 
     a, b = tokens[first], tokens[max(first, last - 1)]
     b = a if end == begin else b
     said = [*([":"] if colon else []), *meant.split()]
-    return [*tokens[:first], *(_word(word, a, b) for word in said), *tokens[last:]]
-
-
-def _word(word: str, first: Token, last: Token) -> Token:
-    number = word.isdigit()
-    kind = "number" if number else "word" if word[0].isalpha() else "mark"
-    return Token(kind, word, first.start, last.end, int(word) if number else None, False, first.capital)
+    return [*tokens[:first], *(word(one, a, b) for one in said), *tokens[last:]]

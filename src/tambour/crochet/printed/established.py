@@ -26,7 +26,7 @@ _TWO: Final = 2  # rounds of a head that may go on as others did
 _SHAPE: Final = r"(?:inc|incs|increases?|increasing|dec|decs|decreases?|decreasing)"
 _SO: Final = frozenset(("established", "manner"))
 _STEP: Final = re.compile(
-    rf"\b{_SHAPE} (?:by )?(\d+)\b|\b(\d+) (?:more )?(?:sts?|sc|dc|stitches|{_SHAPE}) (?:evenly )?(?:(?:in|on|per|each|every) ?)+(?:rounds?|rnds?)"
+    rf"\b{_SHAPE} (?:by )?(\d+)\b(?! (?:more )?times)|\b(\d+) (?:more )?(?:sts?|sc|dc|stitches|{_SHAPE}) (?:evenly )?(?:(?:in|on|per|each|every) ?)+(?:rounds?|rnds?)"
 )
 _UNTIL: Final = re.compile(
     r"\b(?:until|till|to) (?:you have |there are |you get |you reach |having )?(?:a total of )?(\d+) ?(?:sts?|sc|dc|stitches)?\b"
@@ -62,6 +62,14 @@ def established(p: State, tokens: list[Token], head: Head | None = None) -> bool
     said = _STEP.search(words)
     down = re.search(r"\b(?:dec\w*|decreas\w*)\b", words) is not None
     step = (-1 if down else 1) * int(next(n for n in said.groups() if n)) if said is not None else grown
+    if (
+        said is None
+        and grown > 0
+        and re.search(
+            r"\b(?:less|fewer) \w+ (?:between|before|after)\b|\b\w+ (?:less|fewer) (?:between|before|after)\b", words
+        )
+    ):
+        return False  # fewer between increases come of no round that grew
     many = len(head.numbers) or head.many if head is not None else 0
     stated = _stated(p, tokens) if head is not None else None
     step = (stated - draft.edge) // many if stated is not None and many and (stated - draft.edge) % many == 0 else step

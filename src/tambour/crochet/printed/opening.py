@@ -61,11 +61,12 @@ def as_chain(p: State, tokens: list[Token]) -> list[Token]:
     chain, rest = [tokens[at], tokens[at + 1]], tokens[at + 2 :]
     if any(t.kind == "stitch" and t.value not in ("slst", "ch") for t in rest):
         return tokens
-    more = next((b for a, b in pairwise(rest) if a.word in ("plus", "+") and isinstance(b.value, int)), None)
+    plus = rest[1:3] if rest and rest[0].word == "," else rest[:2]
+    more = plus[1] if len(plus) > 1 and plus[0].word in ("plus", "+") and isinstance(plus[1].value, int) else None
     opened = next((k for k, t in enumerate(rest) if t.word in ("(", "[")), len(rest))
     if any(t.kind == "word" and t.word not in _BY_THE_WAY for t in rest[:opened]):
         return tokens
-    if more is not None and rest.index(more) < opened:
+    if more is not None:
         chain[1] = replace(chain[1], value=number + more.value)
     led = [Token("key", "with", tokens[0].start, tokens[0].end, "with")]
     led = [] if hue is None else [*led, *tokens[hue[0] : hue[0] + hue[1]]]

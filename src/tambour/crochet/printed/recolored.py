@@ -17,16 +17,16 @@ from tambour.crochet.printed.tokens import Token, rows
 
 _HUE: Final = r"(?:(?:colou?r|yarn|contrast) )?(?!(?:round|rnd|row|rib|back|front|same|ring)s?\b)[^\W\d_][\w'-]*(?: (?!instead|for|in|only|by|with|and|throughout|alone|rather|rounds?|rnds?|rows?)[^\W\d_][\w'-]*)?(?: \d(?!\d))?"
 _LETTER: Final = r"(?:(?:colou?r|yarn) )?(?:[a-h]|mc|cc)"
-_NO: Final = r"(?:(?:but|and|just|by) )*(?:omitting|omit|ignoring|ignore|disregarding|disregard|leaving out|leave out|skipping|excluding|without|with no|no|not|do not|don't|doing no|never)"
+_NO: Final = r"(?:(?:but|and|just|by) ){0,3}(?:omitting|omit|ignoring|ignore|disregarding|disregard|leaving out|leave out|skipping|excluding|without|with no|no|not|do not|don't|doing no|never)"
 _CHANGES: Final = (
-    r"(?:(?:the|all|any|every|references?|to|mentions?|of|making|other|its|their) )*"
+    r"(?:(?:the|all|any|every|references?|to|mentions?|of|making|other|its|their) ){0,3}"
     r"(?:colou?rs? changes?|changes? of (?:colou?r|yarn)s?|changes? in colou?rs?|yarn changes?|(?:changing|change|switching|switch|alternating) (?:of )?(?:the )?(?:colou?r|yarn)s?|colou?r changing"
     r"|stripes?|striping|stripe pattern|color sequence)"
 )
-_IN: Final = r"(?:(?:but|and|this time|now|only) )*(?:(?:work(?:ing|ed)?|mak(?:e|ing)|crochet(?:ing)?) )?(?:(?:all|everything|them|it|entirely|completely|wholly) )?(?:in|with|using|use|from)"
+_IN: Final = r"(?:(?:but|and|this time|now|only) ){0,3}(?:(?:work(?:ing|ed)?|mak(?:e|ing)|crochet(?:ing)?) )?(?:(?:all|everything|them|it|entirely|completely|wholly) )?(?:in|with|using|use|from)"
 _ROUNDS: Final = r"(?:round|rnd|row)s? (?P<first>\d+)(?: (?:-|to|and|through|&) (?P<last>\d+))?"
 _ALL: Final = r"(?:only|throughout|alone|all (?:the way )?through|for all (?:rounds|rnds|rows)|for (?:the )?(?:whole|entire) (?:piece|part|thing)|for every (?:round|rnd|row)|from start to finish|all over|the whole time)"
-_LEAD: Final = r"(?:[,;(-] )*"
+_LEAD: Final = r"(?:[,;(-] ){0,3}"
 _KINDS: Final = tuple(
     re.compile(rf"{_LEAD}(?P<said>{said})(?: \))?(?= [.,;:()\]]| and\b| but\b|$)", re.IGNORECASE)
     for said in (

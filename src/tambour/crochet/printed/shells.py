@@ -15,8 +15,8 @@ from tambour.crochet.printed.tokens import Row, Token
 _LOOKED_AT: Final = 150  # lines that may say what a name means
 _KIND: Final = r"(?:sc|hdc|dc|tr|dtr|htr)"
 _ITEM: Final = rf"(?:(?:\d+ )?{_KIND}|(?:ch|chain)(?: -)? \d+(?: (?:sp|space))?|\d+ (?:chs?|chains?))"
-_ITEMS: Final = rf"{_ITEM}(?: (?:, and|,|and|\.) {_ITEM})*"
-_NAME: Final = r"(?:(?:beginning|beg|corner|small|large|single|double) )?(?:\w+ )?(?:shells?|v|vst|fan|fans|block|group|petal|scallop)(?: (?:- )?(?:st|stitch))?"
+_ITEMS: Final = rf"{_ITEM}(?: (?:, and|,|and|\.) {_ITEM}){{0,8}}"
+_NAME: Final = r"(?:(?:beginning|beg|corner|small|large|single|double) )?(?:\w+ )?(?:shells?|v(?: -)?(?= (?:st|stitch)\b)|vst|fan|fans|block|group|petal|scallop)(?: (?:- )?(?:st|stitch))?"
 _PLACE: Final = r"(?:the )?(?:same|next|one|indicated|designated|specified|given|each|st|stitch|sp|space|1)\b"
 _MEANS: Final = re.compile(
     rf"^(?:\W+ )?(?P<name>{_NAME})(?: [(\[] (?P<short>[\w -]+?) [)\]])?(?: (?:=|:|-) (?P<long>{_NAME}))? (?:=|:|-|\() (?:= )?(?:work |make )?(?:[(\[] )?(?P<items>{_ITEMS})(?: [)\]])? (?:all )?(?:in|into) {_PLACE}"
@@ -70,7 +70,8 @@ def _known(rows: list[Row]) -> Iterator[tuple[str, _Shell]]:
     for row in rows:
         signs = any(t.word in ("made", "=", ":", "-", "completed", "complete", "formed") for t in row.tokens)
         words = _words(row) if signs and any(t.word in _LED for t in row.tokens) else ""
-        for found in filter(None, (_MEANS.match(words), *_MADE.finditer(words))):
+        said = [_MEANS.match(sentence) for sentence in re.split(r" \. (?=[^\d\W])", words)] if words else []
+        for found in filter(None, (*said, *_MADE.finditer(words))):
             groups = found.groupdict()
             for name in filter(None, (groups["name"], groups.get("short"), groups.get("long"))):
                 shell = _shell(found["items"])
@@ -108,14 +109,18 @@ def _put(row: Row, said: re.Pattern[str], known: dict[str, _Shell]) -> Row:
     for found in said.finditer(words):
         first, last = between(begins, *found.span())
         before = tokens[first - 1] if first > 0 else None
+        after = tokens[last].word if last < len(tokens) else ""
         if first < done or (before is not None and (before.kind == "number" or before.word in _SPOKEN)):
             continue  # "19 shells" counts them
+        if after in ("(", "[", "x") or (before is None and after in ("", ":", "-")) or tokens[0].word in _SEWN:
+            continue  # "Petals (make 3)", "Sew petals in place"
         made += tokens[done:first]
         made += [word(w, tokens[first], tokens[last - 1]) for w in _meant(found, known).split()]
         done = last
     return row if not done else replace(row, tokens=[*made, *tokens[done:]])
 
 
+_SEWN: Final = frozenset("sew attach pin tack place stuff make fold position arrange stitch whip".split())
 _SPOKEN: Final = frozenset("of each every the a skip between from".split())
 
 

@@ -117,14 +117,23 @@ def roles(graph: StitchGraph) -> Array:
     return role
 
 
+_LOW = 1.05
+"""Height under which a stitch is a single crochet, in single crochets."""
+
+
 def invisible(graph: StitchGraph, role: Array) -> Array:
     """Decreases (N,) of single crochets in rounds: makers of toys draw one loop through the front strands of both stitches, and it
-    looks like any other V; in turned rows each stitch has a loop of its own."""
+    looks like any other V; in turned rows each stitch has a loop of its own, and so has each layer that is worked through."""
     first, count = graph.anchor_offsets[:-1], np.diff(graph.anchor_offsets)
-    made = (role == STITCH) & (count > 1) & (graph.height < 1.3)
+    made = (role == STITCH) & (count > 1) & (graph.height < _LOW)
     i = np.flatnonzero(made)
     a, b = graph.anchors[first[i]], graph.anchors[first[i] + count[i] - 1]
-    made[i] = (a != b) & (graph.direction[a] == graph.direction[i]) & (role[a] == STITCH) & (count[i] < 4)
+    ahead, back = a, b
+    for k in range(1, 3):  # stitches of two layers do not follow one another
+        ahead = np.where(count[i] > k, graph.previous[ahead], ahead)
+        back = np.where(count[i] > k, graph.previous[back], back)
+    beside = (back == a) | (ahead == b)
+    made[i] = (a != b) & beside & (graph.direction[a] == graph.direction[i]) & (role[a] == STITCH) & (count[i] < 4)
     return np.asarray(made)
 
 
@@ -145,7 +154,9 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     loose[graph.anchors] = False
     loose |= ridge == 1
     sunk = np.zeros(n, np.bool_)
-    wide = np.flatnonzero(np.diff(graph.anchor_offsets) > 1)
+    wide = np.flatnonzero(
+        (np.diff(graph.anchor_offsets) > 1) & ~drawn
+    )  # their loops lean away from the head before them
     sunk[np.maximum(graph.previous[graph.anchors[graph.anchor_offsets[wide]]], 0)] = True
     sunk &= role == STITCH
     ring = (graph.parent >= 0) & (graph.peculiarity[np.maximum(graph.parent, 0)] == ROOT) & (role == STITCH)
