@@ -1,5 +1,7 @@
 """Toys as a stranger looks at them: what makes an owl an owl, a sheep a sheep and a doll a doll is where it is on one."""
 
+from types import SimpleNamespace
+
 import numpy as np
 
 from tambour.core.errors import Text
@@ -253,3 +255,121 @@ def test_a_head_that_is_worked_from_its_back_has_its_trunk_ahead_and_lies_on_its
         body = piece.positions[piece.built.graph.part == spots.parts["BODY"]]
         assert head[-6:, 2].mean() - head[:6, 2].mean() > 0.6 * float(np.ptp(head[:, 2]))
         assert head[:, 1].mean() > body[:, 1].max() - 0.3 * float(np.ptp(body[:, 1]))
+
+
+PEAR = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnds 6-12: sc around (30)
+Rnd 13: (4 sc, inc) x 6 (36)
+Rnd 14: (5 sc, inc) x 6 (42)
+Rnds 15-22: sc around (42)
+Rnd 23: (5 sc, dec) x 6 (36)
+Rnd 24: (4 sc, dec) x 6 (30)
+Rnd 25: (3 sc, dec) x 6 (24)
+Rnd 26: (2 sc, dec) x 6 (18)
+Rnd 27: (sc, dec) x 6 (12)
+Rnd 28: dec x 6 (6)
+Fasten off and close.
+
+"""
+
+
+def test_a_body_whose_narrow_half_is_worked_first_sits_on_its_broad_end_and_bought_eyes_are_pupils_of_crocheted_ones() -> (
+    None
+):
+    """An owl stood on its head, and its eyes of glass, that the materials list, were nowhere."""
+    dot = "EYES (make 2)\nWith white\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nFasten off.\n\n"
+    said = "Sew the eyes to the body as shown."
+    pattern = read(PEAR + dot, said, "Owl\nMaterials: two 8 mm safety eyes")
+    _, spots, x = points(pattern)
+    own = spots.parts["BODY"]
+    assert (
+        x[spots.stitches(spots.round_at(own, 2))][:, 1].mean() > x[spots.stitches(spots.round_at(own, 27))][:, 1].mean()
+    )
+    assert [f.spot.part for f in pattern.finish if isinstance(f, Eye)] == ["EYES.1", "EYES.2"]
+    plain = read(PEAR, "", "Egg")
+    assert next(p for p in plain.parts if p.name == "BODY").up is None
+
+
+def test_behind_the_narrow_tail_of_what_swims_is_no_body_that_flippers_are_sewn_to() -> None:
+    """Flippers were sewn to a whale's flukes, its eyes to the tip of its nose."""
+    whale = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnds 6-20: sc around (30)
+Rnd 21: (3 sc, dec) x 6 (24)
+Rnd 22: (2 sc, dec) x 6 (18)
+Rnd 23: (sc, dec) x 6 (12)
+Rnds 24-26: sc around (12)
+Rnd 27: (sc, inc) x 6 (18)
+Rnd 28: (2 sc, inc) x 6 (24)
+Rnd 29: (2 sc, dec) x 6 (18)
+Rnd 30: (sc, dec) x 6 (12)
+Rnd 31: dec x 6 (6)
+Fasten off.
+
+FLUKES (make 2)
+Rnd 1: 6 sc in MR (6)
+Rnds 2-4: sc around (6)
+Fasten off.
+
+"""
+    flippers = (
+        "FLIPPERS (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-5: sc around (12)\nFasten off.\n\n"
+    )
+    said = "Sew the flippers to the body as shown. Sew the flukes to the tail end of the body. Embroider eyes with satin stitch as shown."
+    pattern = read(whale + flippers, said, "Whale")
+    assert all(f.spot.round < 20 for f in of(pattern, "FLIPPERS"))
+    drawn = [f for f in pattern.finish if isinstance(f, Embroidery) and f.motif == "eyes"]
+    assert len(drawn) == 2 and all(f.spots[0].round > 4 for f in drawn)
+
+
+def test_a_dozen_spots_are_strewn_all_over_a_cap_and_not_only_about_its_top() -> None:
+    cap = """CAP
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnd 6: (4 sc, inc) x 6 (36)
+Rnd 7: (5 sc, inc) x 6 (42)
+Rnds 8-14: sc around (42)
+Fasten off.
+
+"""
+    spots_ = "SPOTS (make 12)\nRnd 1: 6 sc in MR (6)\nFasten off.\n\n"
+    stem = BODY.replace("BODY", "STEM")
+    pattern = read(cap + stem + spots_, "Sew the spots to the cap. Sew the cap to the stem.", "Mushroom")
+    rounds = sorted(f.spot.round for f in of(pattern, "SPOTS"))
+    assert len(rounds) == 12 and rounds[0] < 5 and rounds[-1] > 11
+
+
+def test_what_is_embroidered_under_its_name_is_that_and_between_ears_and_nose_is_a_place() -> None:
+    """A nose on the first round was told as understood by nobody, and another was drawn where the eyes' place named one."""
+    said = (
+        "\nEyes: On the round midway between ears and nose, 5 stitches apart, satin stitch over one stitch each.\n"
+        "Nose: Embroider an upside-down triangle of straight stitches on Round 1 of head.\n"
+    )
+    pattern = read(BLUNT + LIMBS.format("EARS", 2), said, "Mole")
+    noses = [f for f in pattern.finish if isinstance(f, Embroidery) and f.motif.endswith("nose")]
+    assert len(noses) == 1 and np.mean([s.round for s in noses[0].spots]) < 3.0
+
+
+def test_a_pompom_that_is_made_for_a_tail_is_on_the_toy() -> None:
+    pattern = read(
+        BODY + LIMBS.format("EARS", 2),
+        "\nTAIL\nMake a 20 mm pompom.\n\nSew the tail to the back of the body.\n",
+        "Rabbit",
+    )
+    (tuft,) = (f for f in pattern.finish if isinstance(f, Hair))
+    built, spots, x = points(pattern)
+    own = x[built.graph.part == spots.parts["BODY"]]
+    at = spot(spots, x, SimpleNamespace(spot=tuft.spots[0]))
+    assert at[2] < own[:, 2].mean() and at[1] < own[:, 1].mean()

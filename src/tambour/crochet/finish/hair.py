@@ -12,7 +12,7 @@ from tambour.core.strands import Strands
 from tambour.crochet.finish.ground import Ground, unit
 from tambour.crochet.language.finishes import Hair
 from tambour.crochet.yarn.clearance import clear
-from tambour.crochet.yarn.loops import RATIO
+from tambour.crochet.yarn.loops import RATIO as RATIO
 from tambour.geometry import motion
 from tambour.noise import stream
 

@@ -11,6 +11,7 @@ import numpy as np
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.places.bundles import bundles
 from tambour.crochet.places.faces import Facer
 from tambour.crochet.places.halves import halves
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
@@ -32,6 +33,9 @@ _STUFFED: Final = re.compile(
 )
 """That a part is stuffed, in five languages; what says that it is not is read elsewhere."""
 _TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
+_BOUGHT: Final = r"\b(?:safety|plastic|toy|doll) eyes?\b"
+_LISTED: Final = rf"{_BOUGHT}|\beyes?:|\bbeads? for (?:the )?eyes"
+"""Eyes that the materials list, and words that name some."""
 _SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
 """Words of parts of which one is for every size of a toy."""
 _OTHER_SIDE: Final = re.compile(r"\b(?:opposite|other) side\b")
@@ -187,6 +191,8 @@ class Assembly(Hosts):
         for feature in self._once():
             if feature.what != "safety eyes":
                 self.out += [(feature.order, record) for record in put.feature(feature)]
+        if usual:
+            self.out += [(10_001, record) for record in bundles(self, put._lies((self.main, 1)))]
         # What is said to the stitch, as a hand that moved a part wrote it, stands for all that is said of it besides; the
         # others stay where they would be with it.
         exact = {r.part for r, _ in self.heard.exact if isinstance(r, Placed)}
@@ -415,8 +421,10 @@ class Assembly(Hosts):
     def _seeing(self, usual: bool) -> list[Feature]:
         """Safety eyes, where they are said; once, or those that the materials list, where nothing says more."""
         every = [f for f in self.heard.features if f.what in ("safety eyes", "eyes", "closed eyes")]
-        there = any("eye" in p.kinds for p in self.parts) or any(isinstance(r, Eye) for r, _ in self.heard.exact)
-        listed = re.search(r"\b(?:safety|plastic|toy|doll) eyes?\b|\beyes?:|\bbeads? for (?:the )?eyes", self.text)
+        # Eyes of glass beside a pair that is crocheted are their pupils.
+        there = any("eye" in p.kinds and p.copies != 2 for p in self.parts)
+        there = there or any(isinstance(r, Eye) for r, _ in self.heard.exact)
+        listed = re.search(_BOUGHT if any("eye" in p.kinds for p in self.parts) else _LISTED, self.text)
         if usual and not every and not there and listed:
             return [Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)]
         said = [f for f in every if f.where.rounds] or [f for f in every if f.where.says] or every[:1]

@@ -39,6 +39,7 @@ _SEEN: Final = {name: re.compile(words) for name, words in WORDS.items()}
 
 def motifs(text: str) -> list[str]:
     """What of :data:`WORDS` a sentence (in small letters) speaks of, in its order; places it is beside left out."""
+    text = re.sub(r"\bbetween (?:the )?(?:ears?|head|neck) and (?:the )?(?:nose|mouth|eyes?)\b", " ", text)
     plain = re.sub(
         r"\b(?:below|under|beneath|above|over|between|beside|next to|in line with|level with|bottom of|top of|tip of|"
         r"cent(?:er|re) of|sides? of|from|near|to|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around)\s+"

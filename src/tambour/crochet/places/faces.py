@@ -64,6 +64,8 @@ class Facer(Putter):
         """Safety eyes, one or two."""
         if (pupils := self._pupils(f)) is not None:
             return pupils
+        if f.guess and any("eye" in p.kinds for p in self.work.parts):
+            return []  # that it is crocheted with
         host = self._faced(f, "eye")
         way = self._told(
             usual("eye", 2, lying=self._lies((self.work.main, 1)) and host.name == self.work.main.name)[0], f.where, 2
@@ -339,7 +341,8 @@ class Facer(Putter):
             "freckles": (0.5, -0.15, 0.85),
             "nostrils": (0.24, 0.22 if self._snouted(host) else -0.12, 0.95),
         }
-        x, y, z = at.get(name, (0.46, 0.18, 0.88))
+        lies = host.name == self.work.main.copy(1) and self._lies((self.work.main, 1))
+        x, y, z = at.get(name, usual("eye", 2, lying=lies)[0].at)
         if (
             eyes is not None
             and eyes[0] == host.name

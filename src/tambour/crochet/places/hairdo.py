@@ -96,7 +96,7 @@ def hairs(
             lines.append(
                 [Spot(host.name, float(level), round(host.in_round(float(level), way), 3)) for way in _arc(0.0, up)]
             )
-    elif _ALL.search(text) and not _PARTED.search(text):
+    elif tied or (_ALL.search(text) and not _PARTED.search(text)):  # what is gathered up comes from all over the head
         for up in (0.95, 0.75, 0.5, 0.25):
             lines.append([host.near(middle + way * half) for way in _arc(up, up)])
     else:

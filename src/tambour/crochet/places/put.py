@@ -17,7 +17,7 @@ from tambour.crochet.places.held import BESIDE
 from tambour.crochet.places.jointed import Jointer
 from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.names import SIDED, one
-from tambour.crochet.places.room import Seam, aside, spread
+from tambour.crochet.places.room import Seam, aside, spread, strewn
 from tambour.crochet.places.rowed import in_rows
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import DOLLS, SPREAD, Way, usual
@@ -234,7 +234,8 @@ class Putter(Jointer):
         if len(made) == 4 and len({c[0] for c, _ in made}) == 1 and not self.work.spots.in_rows[host.part]:
             made = self._evened(host, made)
         if put.where.stitch is None:
-            places = spread([spot for _, (spot, _) in made], host, 2.0 * self._half(put.copies[0]))
+            own = strewn(put.kind, len(made), host) if not self._exactly(put) and put.where.rounds is None else []
+            places = own or spread([spot for _, (spot, _) in made], host, 2.0 * self._half(put.copies[0]))
             made = [(c, (host.within(spot), way)) for (c, (_, way)), spot in zip(made, places)]
         if not all(self.stand.there(spot) for _, (spot, _) in made):
             return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made]

@@ -70,6 +70,10 @@ class Room:
         self._taken += seams
 
 
+_STREWN, _STREWN_TO, _GOLDEN = 6, 0.94, 0.618034
+"""So many spots are strewn over as much of a part's stitches, each so much of a turn after the one before."""
+
+
 def _meet(one: Seam, other: Seam) -> bool:
     if one.host != other.host or (one.kind != other.kind and {one.kind, other.kind} & _LAYERS):
         return False
@@ -77,6 +81,23 @@ def _meet(one: Seam, other: Seam) -> bool:
     middles = float(np.sqrt(((one.points.mean(0) - other.points.mean(0)) ** 2).sum()))
     inside = (other.ring and middles < other.wide) or (one.ring and middles < one.wide)
     return apart < _APART or (inside and float(one.normal @ other.normal) > SAME_SIDE)
+
+
+def strewn(kind: str, many: int, host: Host) -> list[Spot]:
+    """Places for many spots all over a part, as far as it widens: as evenly as a sunflower's seeds; none for a few, and for other things."""
+    if kind != "spot" or many < _STREWN or host.stand.spots.in_rows[host.part]:
+        return []
+    counts = [len(ring) for _, ring in host.levels]
+    widest = max(k for k, c in enumerate(counts) if c == max(counts))
+    rounds = [float(n) for n, _ in host.levels[: widest + 1]]
+    behind = np.cumsum(counts[: widest + 1])
+    made = []
+    for k in range(many):
+        share = (k + 0.5) / many * _STREWN_TO * float(behind[-1])
+        n = int(np.searchsorted(behind, share))
+        turn = (k * _GOLDEN + 0.25) % 1.0
+        made.append(Spot(host.name, rounds[n], round(1.0 + turn * counts[n], 1)))
+    return made
 
 
 def spread(spots: list[Spot], host: Host, wide: float) -> list[Spot]:

@@ -151,8 +151,15 @@ _REPEATED: Final = re.compile(r"\*|\bas (?:given )?for\b|^\s*(?:rep|repeat|work)
 """Rounds that are worked again are no place."""
 
 
+_DRAWS: Final = re.compile(r"\bembroider\w*\b|\bsatin st|\b(?:straight|back|chain) ?st\w*\b")
+
+
 def under(heading: str, text: str, names: list[str]) -> str:
-    """A place that stands under the heading of what is put there ("EARS", and below it "Between R4 and R8"), in one sentence; "" for all else."""
+    """A place that stands under the heading of what is put there ("EARS", and below it "Between R4 and R8"), in one sentence, or what is
+    embroidered under its name ("Nose: Embroider a triangle on Rnd 1"); "" for all else."""
     led = f"{heading}: {text}"
+    drawn = face.motifs(heading.lower()) if len(heading.split()) == 1 and _DRAWS.search(text.lower()) else []
+    if drawn and not face.motifs(text.lower()) and not _REPEATED.search(text) and VERB.search(text.lower()):
+        return led
     place = heading and not _REPEATED.search(text) and _AT.match(text.lower()) and verb_of(text, names) is None
     return led if place and verb_of(led, names) is not None else ""

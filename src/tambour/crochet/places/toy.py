@@ -38,6 +38,8 @@ _WITHIN: Final = re.compile(
 )
 """Headings within a piece, with the number of the round that follows."""
 _NAMELESS: Final = re.compile(r"(?:part|piece)(?:_\w+)?$")
+_HINDQUARTERS: Final = 0.4
+"""What is behind the narrowest round of an animal that lies is its body, where it has so much of its stitches; else its tail."""
 _TALL: Final = 0.6
 """A part with so many rounds to a stitch of its widest is longer than wide."""
 
@@ -116,9 +118,17 @@ class Toy:
         if waist is not None:
             x, own = self.stand.x, self.stand.nodes(part)
             _, up, ahead = x[own[0]] - x[own[-1]]
-            down = up > 0.0 if abs(up) > max(2.0, abs(ahead)) else ahead > -2.0  # of what lies the head is ahead
-            low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
+            lies = abs(up) <= max(2.0, abs(ahead))
+            down = ahead > -2.0 if lies else up > 0.0  # of what lies the head is ahead
+            behind = (waist, high) if down else (low, waist)
+            if not lies or self._between(part, *behind) >= _HINDQUARTERS * self._between(part, low, high):
+                low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
         return self.stand.host(name, low, high)
+
+    def _between(self, part: int, low: int, high: int) -> int:
+        """How many stitches the rounds of a part have from one number to another."""
+        found = (self.spots.round_at(part, n) for n in range(low, high + 1))
+        return sum(len(self.spots.stitches(k)) for k in found if k is not None)
 
     def _sections(self, made: Made) -> dict[str, tuple[int, int]]:
         """The first and last rounds of what headings within a piece call its head, its body, its cap: "Continue for Head:"."""

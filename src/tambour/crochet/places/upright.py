@@ -48,6 +48,10 @@ _CRAWLS: Final = frozenset(
     "caterpillar worm inchworm bookworm snake serpent slug eel raupe wurm schlange oruga gusano serpiente chenille rups slang".split()
 )
 """Animals that lie on their bellies, all length."""
+_PEAR: Final = 0.51
+"""A pear's rounds have their middle, each weighed by its stitches, behind this share of them where its narrow end is worked first."""
+_FACES: Final = frozenset(("eye", "muzzle", "nose", "beak"))
+"""Parts that make a body a head as well."""
 _TITLE: Final = 9
 """A title of fewer words speaks of one toy."""
 _HIND: Final = 0.75
@@ -203,11 +207,20 @@ class Upright(Toy):
         if any(abs(self.open(p.copies[0][0].copy(1)) - wide) <= _RIM_OFF for p in lids):
             return "end"  # a roof that closes it
         hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)
+        if main.kind == "body" and head is None and not wide and self._pear(part, counts):
+            return "start"
         return (
             "start"
             if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
             else "end"
         )
+
+    def _pear(self, part: int, counts: list[int]) -> bool:
+        """Whether a closed piece that is head and body in one is narrower where it begins: it sits on its broad end."""
+        if self.spots.in_rows[part] or len(counts) < 4 or not any(p.kind in _FACES for p in self.parts):
+            return False
+        n = np.array(counts, float)
+        return float((n * np.arange(len(n))).sum()) > _PEAR * (len(n) - 1) * float(n.sum())
 
     def _crawls(self, main: Made) -> bool:
         """Whether it is an animal that is all length and lies on its belly, by its name or its title."""

@@ -1,0 +1,77 @@
+"""Bundles: tails and pompoms of bare yarn, which are no part of the work: where the text has one made and tied, the toy bears it."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.core.errors import Span
+from tambour.crochet.finish.hair import FOLD, RATIO
+from tambour.crochet.language.finishes import Hair, Spot
+from tambour.crochet.places.said import length
+from tambour.crochet.places.stand import Host
+from tambour.crochet.places.usual import usual
+
+if TYPE_CHECKING:
+    from tambour.crochet.places.assemble import Assembly
+
+_POMPOM: Final = r"pom-?\s?po[mn]s?\b"
+_MADE: Final = rf"\bmak(?:e|ing)\b[^.\n]{{0,30}}{_POMPOM}"
+_TAIL: Final = re.compile(
+    rf"(?:^|\n)\s*tail\b[ \t]*(?:\([^()\n]*\))?[:.]?\s{{1,3}}(?P<made>[^\n]{{0,60}}?(?:{_MADE}|\bwrap\b[^.\n]{{0,60}}\btimes)[^.\n]*\.?)"
+    rf"|(?P<alone>\bmak(?:e|ing) an? (?:\w+ )?{_POMPOM}(?: tail\b|[^.\n]{{0,40}}\b(?:for|as) (?:the |a |his |her |its )?tail\b))"
+)
+"""A tail that is wound, or is a pompom: under its heading, or in a sentence."""
+_TIP: Final = re.compile(
+    rf"{_MADE}[^.\n]{{0,40}}\b(?:sew|attach|fasten|tie)\w*\b[^.\n]{{0,20}}\b(?:tip|top|point|end) of (?:the )?(?:hat|cap|beanie)\b"
+)
+_SIZE: Final = re.compile(r"(\d+(?:\.\d+)?|[½¼¾])\s*-?\s*(mm|cm|in\b|inch\b|\"|”)\s*(?:\w+ )?pom")
+_TUFTS, _STRANDS = 44, 32
+"""How many strands a pompom shows, and a tail."""
+_OF_BODY: Final = 0.3
+"""A pompom is so wide as a share of what it is on, where nothing says it; """
+_LONG: Final = 0.9
+"""a tail is so long, as a share of its height."""
+
+
+def bundles(toy: Assembly, lies: bool) -> list[Hair]:
+    """The tail of yarn, and the pompom of a hat, that the text has one make. lies : whether the toy does."""
+    made: list[Hair] = []
+    tail = _TAIL.search(toy.text) if not any("tail" in p.kinds for p in toy.parts) else None
+    if tail is not None:
+        host = toy.host((toy.main, 1), "body")
+        spot = host.near(host.towards(usual("tail", 1, lying=lies)[0].direction))
+        group = "made" if tail["made"] else "alone"
+        made += _bundle(toy, host, spot, tail[group], Span(tail.start(group), tail.end(group)))
+        # What is said of it besides is said of no part.
+        words = [(span, toy.text[span.start : span.end]) for span in toy.heard.lost]
+        toy.heard.lost[:] = [span for span, said in words if not re.search(r"\btail\b|\bbundle", said)]
+    hat = next((p for p in toy.parts if p.single and p.kind == "hat" and not p.worn), None)
+    tip = _TIP.search(toy.text) if hat is not None else None
+    if tip is not None and hat is not None:
+        host = toy.host((hat, 1))
+        first, last = (float(host.levels[k][0]) for k in (0, -1))
+        closed = first if len(host.levels[0][1]) <= len(host.levels[-1][1]) else last
+        made += _bundle(toy, host, host.within(Spot(host.name, closed, 1.0)), tip[0], Span(*tip.span()))
+    return made
+
+
+def _bundle(toy: Assembly, host: Host, spot: Spot, words: str, span: Span) -> list[Hair]:
+    """The strands of one: short all round as a pompom's, or long and hanging."""
+    if not toy.stand.there(spot) or len(toy.text) != len(toy.built.pattern.text.text):
+        return []
+    half = host.box[1] * toy.stitch
+    pompom = re.search(_POMPOM, words) is not None
+    said = _SIZE.search(words)
+    wide = float(length(said[1], said[2])) if said else _OF_BODY * 2.0 * float(half[0])
+    hangs = 0.5 * wide if pompom else _LONG * 2.0 * float(np.max(half[1:]))
+    nodes = toy.spots.stitches(toy.spots.last(host.part))
+    color = tuple(int(c) for c in toy.built.graph.color[nodes[0]]) if len(nodes) else Hair(()).color
+    spot = Spot(spot.part, spot.round, spot.stitch, span)
+    toy.made.guessed.append(f"{'pompom' if pompom else 'tail of yarn'} on {host.name.split('.')[0]}")
+    many = _TUFTS if pompom else _STRANDS
+    return [
+        Hair((spot,), many, round(2.0 * hangs + FOLD * RATIO * toy.stitch, 1), (color[0], color[1], color[2]), span)
+    ]
