@@ -59,8 +59,8 @@ def laid_out(built: Built, x: Array) -> Array:
         parts = [p for p in np.unique(graph.part[own]).tolist() if graph.parts[p].end > graph.parts[p].start]
         if (flat := _flat(off, outward)) is not None:
             off = _unbowed(flat)
-        elif len(parts) == 1 and (way := _mouth(spots, x, parts[0])) is not None:
-            vessel = Made(built.pattern.parts[built.parts[parts[0]].section].name, 1).vessel
+        elif (one := _hollow(built, spots, parts)) is not None and (way := _mouth(spots, x, one)) is not None:
+            vessel = _named(built, one).vessel
             rim = UP if vessel else -UP
             off = turned(off, fit(np.array([way, -way]), np.array([rim, -rim]), np.ones(2))[0])
         x[own] = off + middle
@@ -90,6 +90,18 @@ def _unbowed(x: Array) -> Array:
     flat = x.copy()
     flat[:, 1] -= least_squares(bow, x[:, 1])
     return flat
+
+
+def _named(built: Built, part: int) -> Made:
+    return Made(built.pattern.parts[built.parts[part].section].name, 1)
+
+
+def _hollow(built: Built, spots: Spots, parts: list[int]) -> int | None:
+    """Which part of a thing says how it stands: its only one, or the widest skirt of a garment."""
+    if len(parts) == 1:
+        return parts[0]
+    skirts = [p for p in parts if _named(built, p).worn and not spots.in_rows[p]]
+    return max(skirts, key=lambda p: len(spots.rim(p)), default=None)
 
 
 def _mouth(spots: Spots, x: Array, part: int) -> Array | None:
