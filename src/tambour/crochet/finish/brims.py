@@ -20,10 +20,12 @@ if TYPE_CHECKING:
 HATS = re.compile(
     r"\b(?:hats?|caps?|bonnets?|helmets?|hoods?|beanies?|hair|wigs?|hut|mütze|haare?|sombrero|gorro|pelo|chapeau|bonnet|cheveux|hoed|muts|haar)\b"
 )
-ANGLES = (8.0, 16.0, 24.0, 32.0, 40.0, 48.0)
-"""A hat is pushed back by the least of these, in degrees, that frees the eyes."""
+ANGLES = (0.0, 8.0, 16.0, 24.0, 32.0, 40.0, 48.0)
 LIFTS = (0.0, 1.0, 2.0, 3.0, 4.5, 6.0)
-"""Where none does it is lifted too, by the least of these, in stitches; where that does not help it stays."""
+"""A hat is pushed back by one of these, in degrees, and up by one of these, in stitches, by the least that frees the eyes; where none does
+it stays."""
+STEEP = 12.0
+"""A stitch that it sits higher is as much as so many degrees."""
 SIGHT = math.radians(13.0)
 """Who looks at the toy looks down on it by so much."""
 FREE = 0.9
@@ -61,7 +63,8 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
         ways = np.stack([ahead, where.normals])[:, :, None]
         sight = (where.points[:, None] + FAR[:, None] * graph.stitch_width * ways).reshape(-1, 3)
         hat = x[worn.start : worn.end] - middle
-        for lift, angle in [(lift, angle) for lift in LIFTS for angle in (0.0, *ANGLES)]:
+        pushes = [(lift, angle) for lift in LIFTS for angle in ANGLES]
+        for lift, angle in sorted(pushes, key=lambda push: push[1] + STEEP * push[0]):
             turn, up = _back(angle), np.array([0.0, lift * graph.stitch_width, 0.0])
             away = np.sqrt(((sight[:, None] - (turned(hat, turn) + middle + up)) ** 2).sum(2).min())
             if away > FREE * graph.stitch_width:
