@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -120,3 +122,28 @@ def test_plies_are_seen_where_yarn_is_pressed() -> None:
     depth = [float(np.ptp(each[towards]) / each[towards].max()) for each in size]
     assert size[0][towards].max() < 0.65 < size[1][towards].max()
     assert depth[0] > 0.9 * depth[1] > 0.1
+
+
+@pytest.mark.parametrize("name", ["rows", "posts"])
+def test_what_a_photo_of_few_stitches_shows_has_its_room_hairpins_too(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Asked of the strands that are swept: long segments hide how near a hairpin comes to itself."""
+    from tambour.crochet.yarn import fabric
+    from tambour.crochet.yarn.clearance import distances
+    from tambour.crochet.yarn.loops import RATIO
+
+    piece = make(None, CrochetParams(specimen=name), Progress())
+    swept: list[Strands] = []
+    tubes = fabric.sweep
+
+    def seen(made: Strands, **asked: Any) -> Any:
+        swept.append(made)
+        return tubes(made, **asked)
+
+    monkeypatch.setattr(fabric, "sweep", seen)
+    fabric.mesh(piece.built.graph, piece.positions, detail="photo", made=piece.yarn)
+    thick = piece.built.graph.stitch_width * RATIO
+    paths = swept[0].paths
+    near, _ = distances(paths.coords, np.asarray(paths.offsets), thick, 0.9 * thick)
+    assert len(near) == 0

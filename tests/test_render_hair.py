@@ -99,8 +99,9 @@ def test_a_table_ends_softly_before_a_wall_and_takes_the_shadow() -> None:
     steps = np.abs(np.diff(shown[:, :12].mean((1, 2))))
     edge = int(np.argmax(steps[:70]))
     assert steps[edge] < 0.6 * abs(shown[edge - 12, :12].mean() - shown[edge + 12, :12].mean())
-    under = shown[105:135, 40:110].mean(-1)
-    assert under.min() < 0.75 * np.median(shown[-20:, :20].mean(-1))
+    # Its shadow falls beside its right end. Grain and the gaps between boards are as dark elsewhere: they are not asked.
+    shade = shown[88:96, 140:152].mean(-1)
+    assert np.median(shade) < 0.75 * np.median(shown[-20:, :20].mean(-1))
 
 
 @pytest.mark.parametrize("name", sorted(TABLES))

@@ -39,7 +39,7 @@ def tones() -> Array:
         _even(sum((_blurred(rough.random((1, TONES)), 0, far) for far in wide), np.zeros((1, TONES))))[0]
         for wide in ((1, 6), (4,))
     )
-    return np.ascontiguousarray(1.0 + 0.035 * light[:, None] + 0.015 * warm[:, None] * np.array([1.0, 0.0, -1.0]))
+    return np.ascontiguousarray(1.0 + 0.05 * light[:, None] + 0.015 * warm[:, None] * np.array([1.0, 0.0, -1.0]))
 
 
 def _blurred(field: Array, rows: int, columns: int) -> Array:

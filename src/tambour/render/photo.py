@@ -27,8 +27,8 @@ OPEN: Final = 0.022
 """How wide the lens is open, as a share of the thing's size."""
 NEARER: Final = 0.42
 """How soft the thing itself is, before and behind what is looked at, as a share of what such a lens would make of it."""
-BEHIND: Final = 0.9
-"""How much softer than the thing's own far side is what stands behind it: it lies further off than it is drawn."""
+BEHIND: Final = 0.4
+"""How soft what stands behind the thing is, as a share of what such a lens would make of it: soft, but its windings are seen."""
 FALLOFF: Final = 0.16
 """How much less light the picture's corners get."""
 BRIGHT: Final = 0.72

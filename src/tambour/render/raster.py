@@ -27,9 +27,9 @@ from tambour.render.tables import PLANK, TABLES, tile
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine; tiles (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "yarn": (0.55, 0.34, 0.0, 1.0, 4.0, 0.26, 0.032, 56.0, 0.85, 0.0105, 4.5),
+    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.048, 60.0, 0.9, 0.0105, 5.5),
     "cotton": (0.3, 0.22, 0.08, 14.0, 4.0, 0.34, 0.026, 18.0, 0.5, 0.0085, 4.0),
-    "acrylic": (0.45, 0.3, 0.04, 18.0, 4.0, 0.30, 0.032, 44.0, 0.8, 0.0095, 4.5),
+    "acrylic": (0.45, 0.32, 0.04, 18.0, 4.0, 0.34, 0.044, 48.0, 0.8, 0.0095, 4.5),
     "chenille": (0.8, 0.6, 0.0, 1.0, 0.0, 0.0, 0.03, 300.0, 0.72, 0.024, 21.0),
     "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010, 3.0),
     "skein": (0.55, 0.3, 0.0, 1.0, 4.0, 0.30, 0.02, 5.0, 0.45, 0.006, 2.0),
@@ -41,7 +41,7 @@ MATERIALS: dict[str, tuple[float, ...]] = {
     "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
 }
 
-OPEN = 0.05
+OPEN = 0.022
 """How wide the lens is open before a table, as a share of the thing's size: its far edge is soft."""
 BEND, SLOPE = 0.5, 0.10
 """Over how much of the picture's height a sheet bends up; how much more light comes to the window's side than to the middle."""

@@ -44,6 +44,8 @@ PANES = (0.20, 0.12, 0.26, 0.34)
 """Where the window's light falls on the wall, from the picture's middle and top, and half of how wide and high it is, in the picture's width."""
 BEFORE = 1.33
 """What is nearer than the focus by more than this, as their ratio, is out of focus as well: the table before the thing."""
+TAPS = 4
+"""Places over a pixel's height where the table is asked for its grain."""
 HAZE, LIT = 0.05, 0.22
 """How far out of focus the wall is, as a share of the picture; how bright the window's light is on it, as a share of its colour."""
 
@@ -113,8 +115,8 @@ def behind(
     if size < 1e-6:
         fx, fz, size = -axes[1, 0], -axes[1, 2], 1.0
     fx, fz = fx / size, fz / size
-    # The boards lie a little aslant.
-    gx, gz = 0.955 * fz + 0.296 * fx, -0.955 * fx + 0.296 * fz
+    # The boards run away from the eye, a little aslant: across it their grain is drawn out to a smear.
+    gx, gz = 0.30 * fz + 0.954 * fx, -0.30 * fx + 0.954 * fz
     own = -(axes[2, 0] * (focus[0] - eye[0]) + axes[2, 1] * (focus[1] - eye[1]) + axes[2, 2] * (focus[2] - eye[2]))
     per_mm = side / max(BOARD * plank, 1e-9)
     color = np.zeros(3)
@@ -148,16 +150,25 @@ def behind(
                     t = 1e5
                     px, pz = eye[0] + t * dx, eye[2] + t * dz
                 if floor_share > 0.0:
-                    # The tile, as coarse as the pixel is wide there, and as the lens blurs.
+                    # The tile, as coarse as the pixel is wide there, and as the lens blurs; several times over the pixel's height, for aslant
+                    # it is several times as deep as wide.
                     away = -(axes[2, 0] * (px - eye[0]) + axes[2, 1] * (ground - eye[1]) + axes[2, 2] * (pz - eye[2]))
                     away = max(away, 1e-6)
                     blur = lens * scale * max(0.0, 1.0 / own - 1.0 / away, 1.0 / away - BEFORE / own)
-                    wide = per_mm * away / scale * (1.2 + 0.8 * blur)
-                    s = ((px - focus[0]) * gx + (pz - focus[2]) * gz) * per_mm * 0.7
-                    v = ((px - focus[0]) * -gz + (pz - focus[2]) * gx) * per_mm
-                    dark = _grain(tile, 0, s, v + 0.37 * side, wide)
-                    if wide * NEARER < 8.0:
-                        dark += _grain(tile, 1, NEARER * s, NEARER * v, NEARER * wide)
+                    wide = per_mm * away / scale * (0.75 + 0.8 * blur)
+                    taps = TAPS if down else 1
+                    dark = 0.0
+                    for tap in range(taps):
+                        if taps > 1:
+                            up = (1.0 + blur) * ((tap + 0.5) / taps - 0.5)
+                            hy = min(-1e-6, dy + up * axes[1, 1])
+                            t = (ground - eye[1]) / hy
+                            px, pz = eye[0] + t * (dx + up * axes[1, 0]), eye[2] + t * (dz + up * axes[1, 2])
+                        s = ((px - focus[0]) * gx + (pz - focus[2]) * gz) * per_mm * 0.7
+                        v = ((px - focus[0]) * -gz + (pz - focus[2]) * gx) * per_mm
+                        dark += _grain(tile, 0, s, v + 0.37 * side, wide) / taps
+                        if wide * NEARER < 8.0:
+                            dark += _grain(tile, 1, NEARER * s, NEARER * v, NEARER * wide) / taps
                     for c in range(3):
                         color[c] = above * color[c] + floor_share * max(
                             0.02, oak[0, c] + dark * (oak[1, c] - oak[0, c])

@@ -22,7 +22,7 @@ LEVELS: Final = 8
 """Sizes of the tile, each half as fine as the one before: what lies far away or out of focus takes a coarse one."""
 NEARER: Final = 5.3
 """How much finer the tile is of what is added near to."""
-THREADS: Final = 128
+THREADS: Final = 64
 """Threads of linen along the side of its near tile."""
 
 
@@ -82,37 +82,55 @@ def tile(grain: str) -> Array:
 
 
 def _wood() -> tuple[Array, Array]:
-    """Boards of one kind of tree: its rings, cut aslant, and its pores."""
+    """Boards of one kind of tree, sawn flat: each cuts its years as far from their middle as the log happened to lie; and its pores."""
     rough = stream("table", 1)
-    columns = np.arange(SIDE)
-    sway = _fine(rough.standard_normal((8, 5)), SIDE, SIDE)
-    rows = (np.arange(SIDE)[:, None] + np.round(14.0 * sway).astype(int)) % SIDE
-    grain = np.zeros((SIDE, SIDE))
-    for across, along, share in ((64, 6, 0.5), (256, 24, 0.4), (1024, 128, 0.35)):
-        grain += share * _fine(rough.standard_normal((across, along)), SIDE, SIDE)
-    grain = grain[rows, columns[None]]
-    # A year grows pale first and dark at its end; the saw meets years at a slant, so they are wide and narrow by turns.
-    wide = 14.0 + 5.0 * _fine(rough.standard_normal((16, 1)), SIDE, SIDE)
-    phase = np.cumsum(1.0 / np.maximum(wide, 5.0), axis=0) + 0.9 * sway + 0.12 * grain
-    year = phase - np.floor(phase)
-    rings = year * year * np.clip(6.0 * (1.0 - year), 0.0, 1.0)
-    # Pores: short dark strokes.
-    pores = np.maximum(_fine(rough.standard_normal((1024, 200)), SIDE, SIDE) - 1.3, 0.0)[rows, columns[None]]
-    grain = 0.26 + 0.07 * grain + 0.34 * rings + 0.34 * pores * (0.4 + rings)
-    fine = 0.07 * sum(_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((1024, 160), (512, 60)))
-    fine = fine + 0.22 * np.maximum(_fine(rough.standard_normal((512, 90)), SIDE, SIDE) - 1.3, 0.0)
-    return _boards(grain, rough, 0.10, 0.5), np.asarray(fine)
+    wide, columns = SIDE // BOARD, np.arange(SIDE)
+    across = (np.arange(wide)[:, None] + 0.5) / wide * PLANK
+    boards = []
+    for _ in range(BOARD):
+        # mm: where the tree's middle lies beside the board, and how deep below it, as the tree sways along it.
+        beside = PLANK * rough.uniform(-0.1, 1.1) + 7.0 * _fine(rough.standard_normal((1, 4)), 1, SIDE)
+        below = np.abs(rough.uniform(16.0, 46.0) + 13.0 * _fine(rough.standard_normal((1, 3)), 1, SIDE))
+        ripple = 0.5 * _fine(rough.standard_normal((10, 24)), wide, SIDE)
+        far = np.sqrt((across - beside) ** 2 + below**2) + ripple
+        # A year grows pale first and dark at its end; some are fat and some lean.
+        fat = 4.2 + 1.1 * np.interp(far, np.arange(160), rough.standard_normal(160))
+        year = far / np.maximum(fat.mean(), 2.0) + 0.25 * np.interp(far, np.arange(160), rough.standard_normal(160))
+        year -= np.floor(year)
+        boards.append(year**3 * np.clip(9.0 * (1.0 - year), 0.0, 1.0))
+    rings = np.concatenate(boards)
+    streaks = sum(
+        share * _fine(rough.standard_normal(shape), SIDE, SIDE) for shape, share in (((64, 5), 0.5), ((1024, 20), 0.5))
+    )
+    fine = 0.05 * _fine(rough.standard_normal((1024, 40)), SIDE, SIDE) + _pores(rough, 5200, 46, 0.5)
+    return _boards(0.24 + 0.34 * rings + 0.05 * streaks + 0.0 * columns, rough, 0.09, 0.6), np.asarray(fine)
+
+
+def _pores(rough: np.random.Generator, count: int, longest: int, deep: float) -> Array:
+    """Short sharp strokes along the grain, each as long, wide and dark as it happens to be."""
+    row, column = rough.integers(0, SIDE, (2, count))
+    long, dark = rough.integers(longest // 4, longest, count), deep * rough.uniform(0.35, 1.0, count)
+    out = np.zeros((SIDE, SIDE))
+    for k in range(longest):
+        on = k < long
+        # Thin at both ends.
+        share = dark[on] * np.minimum(1.0, 4.0 * np.minimum(k + 1, long[on] - k) / long[on])
+        for step, part in ((0, 1.0), (1, 0.8), (2, 0.25)):
+            at = ((row[on] + step) % SIDE, (column[on] + k) % SIDE)
+            out[at] = np.maximum(out[at], part * share)
+    return out
 
 
 def _painted() -> tuple[Array, Array]:
-    """Boards under white paint: the brush's way, and a little of the grain."""
+    """Boards under white paint: the brush's way, the pores that it did not fill, and specks where it came off."""
     rough = stream("table", 2)
     brush = sum(
-        (_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((512, 12), (128, 6), (24, 24))),
+        (_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((128, 6), (24, 24), (7, 9))),
         np.zeros((SIDE, SIDE)),
     )
-    fine = 0.05 * _fine(rough.standard_normal((512, 24)), SIDE, SIDE)
-    return _boards(0.10 + 0.035 * brush, rough, 0.035, 0.42), np.asarray(fine)
+    fine = 0.035 * _fine(rough.standard_normal((1024, 48)), SIDE, SIDE) + _pores(rough, 1500, 40, 0.28)
+    specks = np.maximum(_fine(rough.standard_normal((340, 240)), SIDE, SIDE) - 2.9, 0.0)
+    return _boards(0.10 + 0.02 * brush, rough, 0.03, 0.55), np.asarray(fine + 0.7 * specks)
 
 
 def _boards(grain: Array, rough: np.random.Generator, tones: float, groove: float) -> Array:
@@ -139,7 +157,9 @@ def _linen() -> tuple[Array, Array]:
     weft = np.cos(np.pi * across)[:, None] * (0.55 + 0.45 * np.cos(np.pi * across)[None])
     warp = np.cos(np.pi * across)[None] * (0.55 + 0.45 * np.cos(np.pi * across)[:, None])
     height = np.where(over, weft * (1.0 + 0.16 * tones[0]), warp * (1.0 + 0.16 * tones[1]))
-    return np.asarray(made), np.asarray(0.42 * (height.mean() - height))
+    # Each is twisted of fibres, which show as fine strokes along it.
+    spun = np.where(over, *(_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((1024, 256), (256, 1024))))
+    return np.asarray(made), np.asarray(0.46 * (height.mean() - height) - 0.05 * spun * height)
 
 
 def _stone() -> tuple[Array, Array]:
@@ -148,9 +168,11 @@ def _stone() -> tuple[Array, Array]:
     made = np.full((SIDE, SIDE), 0.4)
     for n in (5, 11, 23, 61, 150, 400):
         made += 0.45 / n**0.33 * 0.25 * _fine(rough.standard_normal((n, n)), SIDE, SIDE)
-    fine = 0.09 * sum(_fine(rough.standard_normal((n, n)), SIDE, SIDE) for n in (120, 300, 700))
-    pits = np.maximum(_fine(rough.standard_normal((160, 160)), SIDE, SIDE) - 2.6, 0.0)
-    return made, np.asarray(fine + 0.5 * pits)
+    fine = 0.07 * sum(_fine(rough.standard_normal((n, n)), SIDE, SIDE) for n in (120, 300, 700))
+    pits = np.maximum(_fine(rough.standard_normal((160, 160)), SIDE, SIDE) - 2.3, 0.0)
+    grains = np.clip(_fine(rough.standard_normal((420, 420)), SIDE, SIDE) - 1.9, 0.0, 0.5)
+    dust = np.clip(_fine(rough.standard_normal((512, 512)), SIDE, SIDE) - 1.8, 0.0, 0.6)
+    return made, np.asarray(fine + 0.9 * np.minimum(pits, 0.5) + 0.5 * grains - 0.4 * dust)
 
 
 def _paper() -> tuple[Array, Array]:

@@ -16,19 +16,22 @@ from tambour.noise import stream
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
-LAYS: Final = 22
+LAYS: Final = 13
 """How often the hand turns a ball while it winds."""
+STEP: Final = 0.55
+"""How much further out each lay lies than the one before, in radii of the yarn: one sees which crosses which."""
 TURNED: Final = 0.6, 1.25
 """By how much it turns it, in radians, at the least and at the most: never so far that its lays cross as a weave does."""
-TONES = 0.80, 1.04
+TONES = 0.80, 1.05
 """How light its lays are, beside one another."""
-TIMES: Final = 9
-"""How often it winds between two turns."""
+UNDER: Final = 5
+TIMES: Final = (9, 5)
+"""So many lays lie under all others; how often it winds between two turns, in these and in those that one sees."""
 DEEP: Final = 0.45
 """How light it is between its windings, as a share of the yarn's colour."""
 LARGE, LEAST, MOST = 0.17, 16.0, 42.0
 """Radius of a ball, as a share of the piece's size, and mm at the least and at the most."""
-THINNEST: Final = 0.072
+THINNEST: Final = 0.078
 """Radius of the yarn of a ball, in radii of that, at the least: else one would see no yarn."""
 WOUND: Final = ("yarn", "acrylic", "cotton")
 """Surfaces whose strands a ball shows without their halo: wound tight, hairs of so thick a strand would be bristles."""
@@ -52,10 +55,11 @@ def wound(middle: Array, size: float, thick: float, color: Array, number: int, s
         tones.append(np.clip(np.asarray(color) * rough.uniform(*TONES), 0, 255))
         right = np.cross(axis, (0.3, 1.0, 0.2))
         right /= np.sqrt((right**2).sum())
-        t = np.linspace(0.0, 2.0 * pi * TIMES, 44 * TIMES)
+        times = TIMES[0] if lay < UNDER else TIMES[1]
+        t = np.linspace(0.0, 2.0 * pi * times, 44 * times)
         # Wound side by side, a little unevenly, each lay over those before; its ends lie under them.
-        high = 2.0 * thick * (t / (2.0 * pi) - 0.5 * TIMES) + 0.45 * thick * np.sin(1.3 * t + rough.uniform(0.0, 6.0))
-        out = size - thick - 0.9 * thick * (1.0 - lay / LAYS) - 1.5 * thick * (abs(t / t[-1] - 0.5) > 0.485)
+        high = 2.0 * thick * (t / (2.0 * pi) - 0.5 * times) + 0.45 * thick * np.sin(1.3 * t + rough.uniform(0.0, 6.0))
+        out = size - thick - STEP * thick * (LAYS - 1 - lay) - 1.5 * thick * (abs(t / t[-1] - 0.5) > 0.485)
         flat = np.sqrt(np.maximum(out**2 - high**2, 0.0))[:, None]
         lines.append(
             middle
@@ -67,7 +71,7 @@ def wound(middle: Array, size: float, thick: float, color: Array, number: int, s
     return joined(
         [
             sweep(yarn, sides=8, wander=0.09, material="skein" if surface in WOUND else surface),
-            _core(middle, size - 2.6 * thick, color),
+            _core(middle, size - (STEP * (LAYS - UNDER) + 2.0) * thick, color),
         ]
     )
 
@@ -114,8 +118,8 @@ def beside(
     order = np.argsort(-count, kind="stable")
     second = colors[order[1]] if len(order) > 1 else np.array(PLAIN)
     spots = [
-        (towards * (0.62 * wide + 0.8 * size), deep + 0.30 * large + size),
-        (-towards * (0.80 * wide + 1.1 * size), deep + 0.62 * large + size),
+        (towards * (0.62 * wide + 0.8 * size), deep + 0.18 * large + size),
+        (-towards * (0.80 * wide + 1.1 * size), deep + 0.42 * large + size),
     ]
     surface, thick = KINDS[piece.params.material].surface, max(float(piece.yarn.radius.max()), THINNEST * size)
     made = []

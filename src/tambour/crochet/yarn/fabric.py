@@ -183,6 +183,20 @@ def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Arr
     return fine, later, points.counted(lengths, ends, pieces)
 
 
+def eased_out(coords: Array, ends: Array, times: int) -> Array:
+    """Polylines without their kinks, as long as before: every bend is shared with its neighbours, ``times`` over, and what that draws
+    in is given back (Taubin 1995)."""
+    held = np.zeros(len(coords), np.bool_)
+    some = np.diff(ends) > 0
+    held[ends[:-1][some]] = held[ends[1:][some] - 1] = True
+    for share_of in (0.5, -0.52) * times:
+        bend = np.zeros_like(coords)
+        bend[1:-1] = 0.5 * (coords[:-2] + coords[2:]) - coords[1:-1]
+        bend[held] = 0.0
+        coords = coords + share_of * bend
+    return np.ascontiguousarray(coords)
+
+
 def _named(graph: StitchGraph, kind: str) -> list[int]:
     return [k for k, name in enumerate(graph.kinds) if name == kind]
 
@@ -249,6 +263,8 @@ SWOLLEN = 1.08
 """Spun yarn that gives way to its neighbours is drawn so much thicker: legs of Vs touch, and leave no web of heads to be seen between them."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
+KINKS = 6
+"""How often the bends of such yarn are shared with their neighbours: strands that were pushed apart have kinks."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
 LAY = 8.2
@@ -273,6 +289,7 @@ def mesh(
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
     if detail in ("near", "photo"):
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
+        coords = eased_out(coords, ends, 2)
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
         data = {name: values[of.astype(np.int64)] for name, values in made.point_data.items()}
         # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
@@ -285,6 +302,9 @@ def mesh(
         coords, ends, of = points.dense(
             made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
         )
+        # Long segments hide how near hairpins come to themselves: what is drawn is looked at once more, without its kinks.
+        coords = eased_out(coords, ends, KINKS)
+        clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
         made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data={})
         plies, sides = kind.plies, 20
     else:
