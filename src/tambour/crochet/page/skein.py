@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
 LAYS: Final = 13
 """How often the hand turns a ball while it winds."""
-STEP: Final = 0.55
+STEP: Final = 0.45
 """How much further out each lay lies than the one before, in radii of the yarn: one sees which crosses which."""
 TURNED: Final = 0.6, 1.25
 """By how much it turns it, in radians, at the least and at the most: never so far that its lays cross as a weave does."""
 TONES = 0.80, 1.05
 """How light its lays are, beside one another."""
-UNDER: Final = 5
+UNDER: Final = 7
 TIMES: Final = (9, 5)
 """So many lays lie under all others; how often it winds between two turns, in these and in those that one sees."""
 DEEP: Final = 0.45

@@ -34,8 +34,8 @@ OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 FRAYED = 0.92
 """What is left of that at its very end, where its fibres are of all lengths."""
-TAUT = 0.75
-"""Radius of what is sewn with, as a share of the yarn's: it is pulled tight."""
+TAUT = 0.98
+"""Radius of what is sewn with, as a share of the yarn's: it is pulled tight, and lies on top, where one sees it."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
 LIMP, LIES = 0.55, 6.0

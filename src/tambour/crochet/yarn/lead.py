@@ -85,7 +85,7 @@ _WRAP = np.array(
 # A stitch of a seam, from the top of the stitch that is sewn on: out of its last round, aslant over its edge, where one sees it, and down
 # into what it is sewn to, close before that edge; inside to the next. Higher over the edge it would stand up as a tooth.
 _SEAM = np.array(
-    [(-0.14, -0.55, -0.15), (-0.1, -0.5, 0.36), (0.06, -0.26, 0.52), (0.24, 0.0, 0.54), (0.34, 0.16, 0.24)]
+    [(-0.20, -0.62, -0.15), (-0.16, -0.56, 0.42), (0.04, -0.26, 0.62), (0.26, 0.04, 0.62), (0.38, 0.20, 0.24)]
 )
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 
