@@ -373,3 +373,23 @@ def test_a_pompom_that_is_made_for_a_tail_is_on_the_toy() -> None:
     own = x[built.graph.part == spots.parts["BODY"]]
     at = spot(spots, x, SimpleNamespace(spot=tuft.spots[0]))
     assert at[2] < own[:, 2].mean() and at[1] < own[:, 1].mean()
+
+
+def test_a_mane_goes_down_the_nape_and_leaves_the_face_free() -> None:
+    """Strands under the heading of a mane were hair all about the head, before its eyes."""
+    neck = "NECK\nWith white, ch 12 and join to form a ring.\nRnds 1-8: sc around (12)\nFasten off.\n\n"
+    said = (
+        "\nMANE\nCut 40 strands of black, 200 mm long. Beginning at top of head, draw each strand through a stitch of the head, "
+        "and braid some of them.\n"
+    )
+    pattern = read(
+        BODY + HEAD + neck + LONG.format("LEGS"), "Sew the neck to the body. Sew the head to the neck." + said, "Pony"
+    )
+    strands = [f for f in pattern.finish if isinstance(f, Hair)]
+    assert {f.spots[0].part for f in strands} == {"HEAD", "NECK"}
+    built, spots, x = points(pattern)
+    own = x[built.graph.part == spots.parts["HEAD"]]
+    for f in strands:
+        for s in f.spots:
+            at = spot(spots, x, SimpleNamespace(spot=s))
+            assert at[2] < own[:, 2].max() - 0.25 * np.ptp(own[:, 2])

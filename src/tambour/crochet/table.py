@@ -46,7 +46,8 @@ def laid_out(built: Built, x: Array) -> Array:
     spots, x = Spots(built), x.copy()
     bare = [spots_of(r)[0].part for r in built.pattern.finish if not isinstance(r, Tie)]
     bare += [r.part for r in built.pattern.finish if isinstance(r, Placed)]
-    kept = {int(piece[graph.parts[spots.parts[name]].start]) for name in bare if name in spots.parts}
+    sewn = [spots.parts[name] for name in bare if name in spots.parts]
+    kept = {int(piece[graph.parts[k].start]) for k in sewn if not _named(built, k).worn}
     floor = float(min(x[piece == k, 1].min() for k in (kept or {int(np.bincount(piece).argmax())})))
     for k in range(int(piece.max()) + 1):
         own = np.flatnonzero(piece == k)
@@ -59,7 +60,9 @@ def laid_out(built: Built, x: Array) -> Array:
         parts = [p for p in np.unique(graph.part[own]).tolist() if graph.parts[p].end > graph.parts[p].start]
         if (flat := _flat(off, outward)) is not None:
             off = _unbowed(flat)
-        elif (one := _hollow(built, spots, parts)) is not None and (way := _mouth(spots, x, one)) is not None:
+        elif (one := _hollow(built, spots, parts)) is not None and (
+            way := _mouth(spots, x, one, len(parts) > 1)
+        ) is not None:
             vessel = _named(built, one).vessel
             rim = UP if vessel else -UP
             off = turned(off, fit(np.array([way, -way]), np.array([rim, -rim]), np.ones(2))[0])
@@ -104,13 +107,15 @@ def _hollow(built: Built, spots: Spots, parts: list[int]) -> int | None:
     return max(skirts, key=lambda p: len(spots.rim(p)), default=None)
 
 
-def _mouth(spots: Spots, x: Array, part: int) -> Array | None:
-    """The way (3,) out of the one opening of a part worked in rounds; None for what is closed, or open at both ends."""
+def _mouth(spots: Spots, x: Array, part: int, hem: bool) -> Array | None:
+    """The way (3,) out of the one opening of a part worked in rounds, or out of the wider of two (``hem``); None for what is closed, or open
+    at both ends."""
     if spots.in_rows[part]:
         return None
     rims = [rim for rim in (spots.rim(part), spots.begun(part)) if len(rim) >= OPEN]
-    if len(rims) != 1:
+    if len(rims) != 1 and not (hem and rims):
         return None
+    rims = sorted(rims, key=len)[-1:]
     span = spots.built.graph.parts[part]
     own = x[span.start : span.end]
     out = x[rims[0]].mean(0) - own.mean(0)

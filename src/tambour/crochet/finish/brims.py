@@ -20,12 +20,10 @@ if TYPE_CHECKING:
 HATS = re.compile(
     r"\b(?:hats?|caps?|bonnets?|helmets?|hoods?|beanies?|hair|wigs?|hut|mütze|haare?|sombrero|gorro|pelo|chapeau|bonnet|cheveux|hoed|muts|haar)\b"
 )
-ANGLES = (0.0, 8.0, 16.0, 24.0, 32.0, 40.0, 48.0)
+ANGLES = (8.0, 16.0, 24.0, 32.0, 40.0, 48.0)
+"""A hat is pushed back by the least of these, in degrees, that frees the eyes."""
 LIFTS = (0.0, 1.0, 2.0, 3.0, 4.5, 6.0)
-"""A hat is pushed back by one of these, in degrees, and up by one of these, in stitches, by the least that frees the eyes; where none does
-it stays."""
-STEEP = 12.0
-"""A stitch that it sits higher is as much as so many degrees."""
+"""Where none does it is lifted too, by the least of these, in stitches; where that does not help it stays."""
 SIGHT = math.radians(13.0)
 """Who looks at the toy looks down on it by so much."""
 FREE = 0.9
@@ -43,7 +41,7 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
     spots, graph = joining.spots, task.graph
     eyes = [f for f in joining.built.pattern.finish if isinstance(f, Eye)]
     on = {spots.parts[f.part]: spots.parts[f.spot.part] for f, _ in joining.steps}
-    found = []
+    found, x = [], x.copy()
     for f, _ in joining.steps:
         part, host = spots.parts[f.part], spots.parts[f.spot.part]
         if not HATS.search(f.part.lower()) or f.spot.stitch is not None or not own[graph.parts[part].start]:
@@ -63,13 +61,14 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
         ways = np.stack([ahead, where.normals])[:, :, None]
         sight = (where.points[:, None] + FAR[:, None] * graph.stitch_width * ways).reshape(-1, 3)
         hat = x[worn.start : worn.end] - middle
-        pushes = [(lift, angle) for lift in LIFTS for angle in ANGLES]
-        for lift, angle in sorted(pushes, key=lambda push: push[1] + STEEP * push[0]):
+        for lift, angle in [(lift, angle) for lift in LIFTS for angle in (0.0, *ANGLES)]:
             turn, up = _back(angle), np.array([0.0, lift * graph.stitch_width, 0.0])
             away = np.sqrt(((sight[:, None] - (turned(hat, turn) + middle + up)) ** 2).sum(2).min())
             if away > FREE * graph.stitch_width:
                 if angle or lift:
                     found.append((np.array(sorted(bear)), turn, middle, up))
+                    moved = np.isin(graph.part, found[-1][0])  # what is on it has moved with it
+                    x[moved] = turned(x[moved] - middle, turn) + middle + up
                 break
     return found
 

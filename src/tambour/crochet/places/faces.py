@@ -12,7 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.places import face
-from tambour.crochet.places.hairdo import before, hairs
+from tambour.crochet.places.hairdo import before, hairs, mane
 from tambour.crochet.places.hear import Feature
 from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.put import Putter
@@ -50,6 +50,8 @@ _BESIDE_EACH: Final = 0.8
 """Two cheeks are no wider than this share of the way from the one to the other."""
 _TINY: Final = 0.7
 """How large something is that is called tiny, little or small."""
+_LED: Final = 400
+"""So many letters before a sentence of hair its heading stands."""
 _KNOT: Final = 1.4
 """Eyes of knots are so many stitches wide at the most, and three quarters of what satin stitch would fill."""
 
@@ -319,6 +321,10 @@ class Facer(Putter):
         if not said:
             self.work.made.guessed.append(f"hair on {host.name}")
         words = before(self.work.text, f.span.start) + f.text
+        necks = [p for p in self.work.parts if p.kind == "neck" and p.single]
+        if not said and re.search(r"\n\s*mane\b", self.work.text[max(0, f.span.start - _LED) : f.span.start]):
+            hosts = [host, *(self.work.host((p, 1)) for p in necks)]
+            return [*mane(hosts, self.stand.there, words, self.work.stitch, f.color or Hair(()).color, f.span)]
         rounds = (at[0], at[1]) if said and at is not None else None
         color = f.color or Hair(()).color
         return [*hairs(host, self.stand.there, words, rounds, self.work.stitch, color, [f.span, *f.also])]

@@ -57,6 +57,9 @@ _BUN: Final = re.compile(r"\bbuns?\b|\btop ?knots?\b|\bhair\s+up\b")
 _FRINGE: Final = re.compile(r"\b(?:bangs|fringe)\b")
 _CUT_TO: Final = {"chin": 1.9, "shoulder": 2.8, "waist": 5.0}
 """How long hair is, in halves of a head's height, that is trimmed to a place."""
+_CROWN: Final = ((0.0, 0.98, 0.1), (0.0, 0.85, -0.5), (0.0, 0.5, -0.85))
+_NAPE: Final = np.array([0.0, 0.5, -0.85])
+"""A mane's way over a head, and where it is on a neck."""
 USUAL: Final = 2.6
 """The same where nothing says it."""
 CLOSE: Final = 1.1
@@ -124,6 +127,26 @@ def hairs(
         made.append(Hair((spot,), 16, round(long, 1), color))
     return [replace(one, spots=tuple(replace(s, span=span) for s in one.spots), span=span)
             for one, span in zip(made, [*spans, *[spans[-1]] * len(made)])]  # fmt: skip
+
+
+def mane(hosts: list[Host], at: Callable[[Spot], bool], text: str, stitch: float, color: RGB, span: Span) -> list[Hair]:
+    """A mane: strands along the crown and down the nape of every part of a head and its neck."""
+    cut = _said(text) or 2.0 * USUAL * float(hosts[0].box[1][1]) * stitch
+    made = []
+    for k, host in enumerate(hosts):
+        middle, half = host.box
+        if k:  # from end to end of a neck
+            numbers = [float(n) for n, ring in host.levels if len(ring)]
+            numbers = [numbers[round(share * (len(numbers) - 1))] for share in (0.1, 0.4, 0.65, 0.9)]
+            line = [Spot(host.name, n, round(host.in_round(n, _NAPE), 3)) for n in numbers]
+        else:
+            line = [host.near(middle + np.array(way) * half) for way in _CROWN]
+        line = [spot for spot in line if at(spot)]
+        line = [replace(s, span=span) for i, s in enumerate(line) if not i or s != line[i - 1]]
+        if len(line) > 1:
+            count = min(90, max(6, round(2.2 * CLOSE * _far(host, line))))
+            made.append(Hair(tuple(line), count, round(cut, 1), color, span))
+    return made
 
 
 def _said(text: str) -> float | None:
