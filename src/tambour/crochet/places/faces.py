@@ -145,7 +145,7 @@ class Facer(Putter):
     def _ahead(self, host: Host) -> bool:
         """Whether a part is a head, or head and body, that is worked from its nose and looks ahead."""
         made = next(p for p in self.work.parts if host.name in {p.copy(k) for k in range(1, p.copies + 1)})
-        lies = made == self.work.main and self._lies((made, 1)) and not self._swims()
+        lies = self._lies((self.work.main, 1)) and not self._swims() and (made == self.work.main or made.kind == "head")
         return (lies and host.axis[2] < -0.7) or self.work.nose_first(made)
 
     def _swims(self) -> bool:
