@@ -119,3 +119,21 @@ def test_pieces_do_not_all_stand_at_one_place() -> None:
     assert len(set(stages.values())) >= 5
     assert len({table for table, _ in stages.values()}) >= 3
     assert set(portrait.BALLS) == {0, 1, 2}
+
+
+def test_a_swatch_keeps_the_end_of_its_yarn_beside_it_on_the_table() -> None:
+    from tambour.crochet.looks import toy
+    from tambour.crochet.page.portrait import laid, swatch, tailed
+
+    made = piece("@stuffing = none\ncolor(#305080)\n: 9 ch, turn\n: 8 sc, turn, ch\n: 8 sc, turn, ch\n: 8 sc\n")
+    assert swatch(made) and not swatch(piece(DISC))
+    flat = laid(toy(made))
+    both, _ = tailed(made, flat, flat)
+    end = both.vertices[len(flat.vertices) :]
+    assert abs(end[:, 1].min() - flat.vertices[:, 1].min()) < 0.5  # it lies on the table
+    assert (both.color[len(flat.vertices) :] == np.array((0x30, 0x50, 0x80))).all()
+    width = made.built.graph.stitch_width
+    # It comes out of the fabric at one corner, and lies beside it.
+    inside = [(end[:, k] > flat.vertices[:, k].min()) & (end[:, k] < flat.vertices[:, k].max()) for k in (0, 2)]
+    assert (inside[0] & inside[1]).any() and not (inside[0] & inside[1]).all()
+    assert 1.5 * width < max(np.ptp(end[:, 0]), np.ptp(end[:, 2])) < 7.0 * width

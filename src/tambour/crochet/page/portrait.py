@@ -95,6 +95,8 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
     if sheet(piece):
         azimuth, elevation = ABOVE
         made, cast = laid(made), laid(cast)
+        if staged and swatch(piece):
+            made, cast = tailed(piece, made, cast)
     elif face_down(piece):
         made, cast = turned(made), turned(cast)
     else:
@@ -149,6 +151,25 @@ def sheet(piece: Plush) -> bool:
         return False
     wide, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     return bool(deep < FLAT * min(wide, high))
+
+
+def swatch(piece: Plush) -> bool:
+    """Whether a piece is one sheet worked to and fro: its last end is not woven in."""
+    graph = piece.built.graph
+    ways = graph.direction[graph.direction != 0]
+    return len(graph.parts) == 1 and bool(len(ways) and ways.min() < 0 < ways.max())
+
+
+def tailed(piece: Plush, made: Mesh, cast: Mesh) -> tuple[Mesh, Mesh]:
+    """A swatch that was laid on its table, and what throws its shadow, with the end of its yarn beside it."""
+    from tambour.crochet.finish.features import joined
+    from tambour.crochet.page.skein import tail
+
+    last, before = (-piece.positions[k][[0, 2, 1]] for k in (-1, -2))
+    floor = float(made.vertices[:, 1].min())
+    last[1] = 0.5 * (floor + float(made.vertices[:, 1].max()))
+    end = tail(piece, floor, last, last - before, _number(piece))
+    return joined([made, end]), joined([cast, end])
 
 
 def sagging(piece: Plush) -> float:

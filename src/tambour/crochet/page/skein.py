@@ -1,4 +1,4 @@
-"""Skeins: balls of a piece's own yarn, that lie about behind it in its photo."""
+"""Skeins: balls of a piece's own yarn, that lie about behind it in its photo, and the tail that a swatch keeps."""
 
 from __future__ import annotations
 
@@ -37,6 +37,11 @@ WOUND: Final = ("yarn", "acrylic", "cotton")
 """Surfaces whose strands a ball shows without their halo: wound tight, hairs of so thick a strand would be bristles."""
 PLAIN: Final = (233, 225, 209)
 """Colour of the second ball where the piece has but one."""
+
+LONG: Final = 5.5
+"""How long a swatch's tail is, in widths of its stitch."""
+CURL: Final = 1.5, 2.4
+"""By how much it turns on its way, radians, at the least and at the most."""
 
 
 def wound(middle: Array, size: float, thick: float, color: Array, number: int, surface: str) -> Mesh:
@@ -130,3 +135,29 @@ def beside(
         at[1] = low[1] + 0.97 * own
         made.append(wound(at, own, min(thick, max(0.6 * thick, THINNEST * own)), color, number, surface))
     return joined(made)
+
+
+def tail(piece: Plush, floor: float, corner: Array, out: Array, number: int) -> Mesh:
+    """The yarn's end of a swatch that lies on its table, as who worked it leaves it: cut, and not woven in.
+
+    floor : height of the table, mm; corner : (3,) where the last stitch lies; out : (3,) the way of its row; number : no two lie alike
+    """
+    from tambour.crochet.yarn.fabric import FRAYED, GROOVE, LAY, SWOLLEN, WANDER
+    from tambour.crochet.yarn.fibres import KINDS
+    from tambour.geometry.tube import sweep
+
+    rough, kind, wide = stream("tail", number), KINDS[piece.params.material], piece.built.graph.stitch_width
+    thick = SWOLLEN * float(np.median(piece.yarn.radius))
+    t = np.linspace(0.0, 1.0, 60)
+    flat = np.array([out[0], 0.0, out[2]]) / max(float(np.hypot(out[0], out[2])), 1e-9)
+    aside = np.array([flat[2], 0.0, -flat[0]])
+    # It comes straight out of the row, and curls as it was wound.
+    turn = rough.uniform(*CURL) * t**1.6 - 0.7 * np.sin(pi * t) * rough.uniform(0.4, 1.0)
+    step = LONG * wide / (len(t) - 1)
+    way = np.cumsum(np.cos(turn)[:, None] * flat + np.sin(turn)[:, None] * aside, axis=0) * step
+    line = corner - 0.5 * wide * flat + way
+    line[:, 1] = floor + thick + max(float(corner[1]) - floor - thick, 0.0) * np.clip(1.0 - 3.0 * t, 0.0, 1.0) ** 2
+    radius = np.full(len(t), thick)
+    radius[-3:] *= FRAYED
+    yarn = Strands(Paths.of([line]), radius, piece.built.graph.color[-1:])
+    return sweep(yarn, sides=20, lay=LAY, plies=kind.plies, groove=GROOVE, wander=WANDER, material=kind.surface)
