@@ -77,6 +77,18 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     return min(tried, key=lambda chunks: _pages(book, chunks))
 
 
+def steps_said(book: Book) -> list[tuple[str, list[str]]]:
+    """The sentences of all steps, each with what is noted under it, or of it, as that the place is a guess."""
+    found, made = [step for step in steps(book.piece) if not _eyes_only(book, step)], list[tuple[str, list[str]]]()
+    for step, said in zip(found, _sentences(book, found)):
+        for words, notes in zip(said, _under(book, step, said)):
+            if words == book.own["guess"] and made:
+                made[-1] = (made[-1][0], [words, *made[-1][1], *notes])
+            else:
+                made.append((words, notes))
+    return made
+
+
 def _step(
     book: Book, k: int, step: Step, view: tuple[float, float], lines: list[Atom], frame: Array, high: float
 ) -> Chunk:

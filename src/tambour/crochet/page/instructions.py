@@ -18,6 +18,12 @@ def view(piece: Plush) -> Text:
     """The pattern of a piece as a printed text, in the words that its params ask for."""
     if of_model(piece):
         return _text(dressed(words(piece.built, piece.params.terms), piece), piece.built.pattern.text.name)
+    if by_people(piece.built.pattern):
+        from tambour.crochet.page.reprint import reprinted
+
+        hers = reprinted(piece)
+        if hers is not None:
+            return _text(hers, piece.built.pattern.text.name)
     return instructions(piece.built, piece.params.terms, exact=not by_people(piece.built.pattern))
 
 
@@ -50,6 +56,7 @@ def _text(made: Words, name: str) -> Text:
         lines += [f"## {word('materials')}", "", *(f"- {said}" for said in listed), ""]
     for key, said in (("gauge", made.gauge), ("finished size", made.size)):
         lines += [f"**{word(key)}:** {said}", ""] if said else []
+    lines += [line for said in made.intro for line in (said, "")]
     lines += [f"## {word('abbreviations')} ({made.named})", ""]
     lines += [*(f"- {said} = {meaning}" for said, meaning in made.abbreviations), ""]
     if made.special:

@@ -65,6 +65,7 @@ class Words:
     gauge, size : as the pattern states them, "" for nothing
     abbreviations : those used, with their meanings; special : its own stitches, likewise
     hues : what its words for colours mean, where they are not those of tambour's own language
+    intro : what its designer says before the parts
     parts : in order; seams, finish : sentences of the assembly: marks sewn, and one for every finishing record
     """
 
@@ -81,6 +82,7 @@ class Words:
     seams: tuple[str, ...]
     finish: tuple[str, ...]
     hues: Mapping[str, RGB] = field(default_factory=dict)
+    intro: tuple[str, ...] = ()
 
     @property
     def blocks(self) -> tuple[PartText, ...]:

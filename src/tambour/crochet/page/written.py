@@ -151,7 +151,8 @@ def _lines(
             if number in through:
                 line = _named(line, through[number], stitches)
             count = done.times if makes else 0
-            said = source.stated if source.stated and count and source.stated != count else 0
+            final = at == len(of) or of[at] is not source  # "Rnds 2 and 3: … 24 sc at the end of Rnd 3"
+            said = source.stated if source.stated and count and source.stated != count and final else 0
             written = Written(
                 number, 1, makes, tuple(brackets(line)), count, tuple(notes), said, source.span in told, source
             )

@@ -43,6 +43,10 @@ UNHEADED: Final = "of this heading only the first yarn is worked with"
 _ALIKE: Final = frozenset("alike pieces piece pcs stück parts part both identical yarn".split())
 _SMALL_WORDS: Final = re.compile(r"[^\S\n]*(?:[^\W\d_]+[^\S\n]+)*")
 _HEADED: Final = 120  # letters of a line that is a heading
+_ENDED: Final = re.compile(
+    r"\(?\d+ [^\W\d]+ (?:rem(?:ain\w*)? )?(?:at|after) (?:the )?(?:end of )?[^\W\d]+\.? ?\d*\)?", re.IGNORECASE
+)
+"""A count that says of which round it is: "24 sc at end of Rnd 3"."""
 _SMALL: Final = 2  # letters of a yarn's or a stitch's short name
 
 
@@ -175,6 +179,9 @@ def _passed(p: State, line: Line, tokens: list[Token]) -> list[Span]:
             clause.append(token)
             continue
         if clause and _says(p, line, clause):
+            if _ENDED.fullmatch(" ".join(text[clause[0].start : clause[-1].end].split())):
+                clause, joined, begin = [], False, clause[-1].end
+                continue
             led = text[begin : clause[0].start]  # small words are no tokens: "this will be the front"
             at = clause[0].start - len(led.lstrip()) if _SMALL_WORDS.fullmatch(led) else clause[0].start
             span = Span(at, clause[-1].end)
