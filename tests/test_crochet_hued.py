@@ -110,3 +110,46 @@ def test_layers_that_nothing_sews_together_are_no_traceback(heading: str) -> Non
     pattern = read(Text(HEAD.format(heading, "Fasten off."), "toy.txt"))
     assert not pattern.unread, pattern.unread
     assert pattern.built is not None
+
+
+LETTERED = """Toy
+
+Yarn: A = grey, B = pink, C = yellow
+
+Head
+With A.
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+
+{}
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Fasten off.
+{}
+"""
+
+
+@pytest.mark.parametrize(
+    "heading, after, wanted",
+    [
+        ("Flowers (make 1 with B, make 2 with C)", "", [("B", 1), ("C", 2)]),
+        ("Flowers (make 1 with B and 2 with C)", "", [("B", 1), ("C", 2)]),
+        ("Flowers\n(Make 2 pieces each B and C)", "", [("B", 2), ("C", 2)]),
+        ("Flowers\nMake 1 with B and 2 with C.", "", [("B", 1), ("C", 2)]),
+        ("Flowers\nWith B.", "Make 1 more flower with A, 2 with C.", [("B", 1), ("A", 1), ("C", 2)]),
+        ("Flowers\nWith B.", "Make 1 more with B, 2 with C.", [("B", 2), ("C", 2)]),
+    ],
+)
+def test_copies_in_yarns_by_letters_have_their_own(heading: str, after: str, wanted: list[tuple[str, int]]) -> None:
+    pattern = read(Text(LETTERED.format(heading, after), "toy.txt"))
+    assert [(p.name.split()[0], p.copies) for p in pattern.parts[1:]] == wanted
+    graph = build(pattern).graph
+    assert len({tuple(graph.color[p.start]) for p in graph.parts[1:]}) == len(wanted)
+
+
+def test_yarns_that_are_lettered_ca_to_ce_are_those_of_the_list() -> None:
+    text = "Bucket\n\nMaterials\n1 ball each No. 12 Red MC, No. 30 Yellow CA, No. 87 Green CB and No. 4 White CC\n\nBucket\nWith CA.\nRnd 1: 6 sc in magic ring (6)\nRnd 2: With CB, inc x 6 (12)\nRnd 3: With CC, sc around (12)\n"
+    graph = build(read(Text(text, "bucket.txt"))).graph
+    first, second, third = (tuple(int(v) for v in graph.color[k]) for k in (0, 8, 20))
+    assert first[0] > 180 and first[1] > 150 and first[2] < 120  # yellow
+    assert second[1] > second[0] and min(third) > 200

@@ -15,6 +15,7 @@ from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.copied import copies_of, once_more
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import STARS, heads
+from tambour.crochet.printed.hued import dealt
 from tambour.crochet.printed.moved import along_edge
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
@@ -128,9 +129,14 @@ def more_copies(p: State, tokens: list[Token], more: tuple[int, Span, bool]) -> 
         p.early |= {"copies": count, "copies_span": span}  # "(Make 2 pieces alike). Ch 11."
         return True
     if p.heading is not None:
+        if (hues := dealt(p, tokens, None)) and sum(hue.count for hue in hues) == count:
+            p.hued[p.heading.span.start] = hues
         p.heading = replace(p.heading, copies=count, copies_span=span, strong=True)
     elif p.parts:
         draft = p.parts[-1]
+        hues = dealt(p, tokens, draft if added else None)
+        if hues and sum(hue.count for hue in hues) == (draft.copies + count if added else count):
+            p.hued[draft.span.start] = hues
         draft.copies, draft.copies_span = draft.copies + count if added else max(draft.copies, count), span
     return p.heading is not None or bool(p.parts)
 

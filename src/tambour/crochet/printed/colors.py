@@ -175,7 +175,7 @@ _SAID: Final = re.compile(r"[^\W\d_]+")
 _HEADED: Final = 80  # letters of a line that may be a heading
 _OTHERS: Final = frozenset(("eyes", "eye", "hook", "nose", "see", "page", "photo", "picture", "sts", "stitches", "rnds", "rounds", "like", "patch"))  # fmt: skip
 """What is named beside a colour that is no yarn of the whole piece."""
-_WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|CC|[A-K])\b")
+_WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|C[A-E]|[A-K])\b")
 _BESIDE: Final = re.compile(
     r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"
 )
@@ -188,7 +188,7 @@ _DASHED: Final = re.compile(
 _YARNED: Final = re.compile(r"^([A-Za-z]{3,}(?: [a-z]+)?)[ \t]+[Yy]arn\b")
 _NUMBERED: Final = re.compile(r"(?:^|[,:;]|\b(?:and|using|with))\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 
-_AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|CC|[A-K])\b")
+_AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|C[A-E]|[A-K])\b")
 
 
 def numbered(palette: Palette, line: str) -> bool:

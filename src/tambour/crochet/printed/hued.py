@@ -13,8 +13,10 @@ from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.language.tree import Action, Line, Pattern, Section
 from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.notes import plain_name
+from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
@@ -61,17 +63,17 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
             each, at = _each(p, tokens, at + 1, count)
             found += each
             continue
-        at += at < len(tokens) and tokens[at].word in _LED
-        shade = p.palette.color(c, at)
+        led = at < len(tokens) and tokens[at].word in _LED
+        at += led
+        shade = p.palette.color(c, at) or (p.palette.letter(c, at) if led else None)
         if shade is None and total is not None:  # "make 5: 3 large, 2 small"
             end = next((k for k in range(at, len(tokens)) if tokens[k].word in _BETWEEN or tokens[k].word in ")]"), at)
             shade, plain = ((0, 0, 0), end - at), True
         if shade is None or not shade[1]:
             return tokens, ()
-        words = " ".join(t.word for t in tokens[at : at + shade[1]])
-        found.append(Hue(count, words, shade[0]))
+        found.append(Hue(count, _called(tokens[at : at + shade[1]]), shade[0]))
         at += shade[1]
-        while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value in ("yarn", "and")):
+        while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value in ("yarn", "and", "make")):
             at += 1
     many = sum(hue.count for hue in found)
     if len(found) < 2 or not 2 <= many <= _MANY or (total is not None and total.value != many):
@@ -85,12 +87,53 @@ def _each(p: State, tokens: list[Token], at: int, count: int) -> tuple[list[Hue]
     c, found = Cursor(tokens), list[Hue]()
     at += at < len(tokens) and tokens[at].word in _LED
     while at < len(tokens) and (shade := p.palette.color(c, at) or p.palette.letter(c, at)) is not None and shade[1]:
-        said = [t.word.upper() if len(t.word) == 1 else t.word for t in tokens[at : at + shade[1]]]
-        found.append(Hue(count, " ".join(said), shade[0]))
+        found.append(Hue(count, _called(tokens[at : at + shade[1]]), shade[0]))
         at += shade[1]
         while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value == "and"):
             at += 1
     return found, at
+
+
+def _called(tokens: list[Token]) -> str:
+    """A yarn as its copies are called by it: "yellow", "B", "CC"."""
+    return " ".join(t.word.upper() if t.word in LETTERS else t.word for t in tokens)
+
+
+def dealt(p: State, tokens: list[Token], added: Draft | None) -> tuple[Hue, ...]:
+    """The yarns of the copies that a sentence deals out, "Make 1 with A and 2 with B", "Make 2 pieces each CA and CB", and says nothing
+    else; where they come to those of a part made already (``added``), its own first. None of them for another sentence."""
+    tokens = [t for t in tokens if t.word not in ("(", ")", "[", "]", ".")]
+    c, at, found = Cursor(tokens), 0, list[Hue]()
+    while at < len(tokens):
+        at += tokens[at].value == "make"
+        if at >= len(tokens) or tokens[at].kind != "number" or not isinstance(tokens[at].value, int):
+            return ()
+        count, at = int(tokens[at].value), at + 1
+        led = next((k for k in range(at, min(at + 4, len(tokens))) if tokens[k].word in (*_LED, "each")), None)
+        if led is None or any(t.kind == "number" or t.word == "," for t in tokens[at:led]):
+            return ()
+        if tokens[led].word == "each":
+            each, at = _each(p, tokens, led + 1, count)
+            found += each
+            if not each:
+                return ()
+            continue
+        shade = p.palette.letter(c, led + 1) or p.palette.color(c, led + 1)
+        if shade is None or not shade[1]:
+            return ()
+        found.append(Hue(count, _called(tokens[led + 1 : led + 1 + shade[1]]), shade[0]))
+        at = led + 1 + shade[1]
+        while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value == "and"):
+            at += 1
+    if added is None:
+        return tuple(found) if len(found) > 1 else ()
+    own = next((i.numbers for n in added.lines for i in n.items if isinstance(i, Action) and i.name == "color"), None)
+    letter = next((x for x, hue in p.palette.given.items() if hue == own and x in LETTERS), "")
+    if not letter:
+        return ()
+    mine = p.palette.given[letter]
+    many = added.copies + sum(hue.count for hue in found if hue.shade == mine)
+    return (Hue(many, letter.upper(), mine), *(hue for hue in found if hue.shade != mine))
 
 
 def by_hue(section: Section, hues: tuple[Hue, ...]) -> list[Section]:

@@ -319,13 +319,13 @@ _PLAIN_HUES: Final = frozenset("red orange yellow green blue purple pink brown g
 _NAME: Final = r"((?:[A-Z][A-Za-zé’'&]*[ -]?){1,4}?|[A-Z][a-z]+ [a-z]+)"
 _NUMBER: Final = r"(?:\(?#?\d{3,6}\)?[\s,]*\(?\s*)?"
 _LED: Final = re.compile(
-    r"\b(?:(?i:main colou?r|contrast|colou?r))\s*\(?(MC|CC|mc|cc|[A-Ka-k])(?![A-Za-z])\)?[\s:,]*\(?"
+    r"\b(?:(?i:main colou?r|contrast|colou?r))\s*\(?(MC|C[A-E]|mc|cc|[A-Ka-k])(?![A-Za-z])\)?[\s:,]*\(?"
     + _NUMBER
     + _NAME
     + r"\s*(?=[(),.;\d]|$)"
 )
-_ENDED: Final = re.compile(r"(?<![\w./])#?\d{2,6}\s+" + _NAME + r"\s*\(?\b(MC|CC|[A-K])\b\)?(?=[\s,.;)]|$)")
-_AS: Final = re.compile(r"(?:^|[,:.]|\band)\s*" + _NAME + r"\s+as\s+(MC|CC|[A-K])\b")
+_ENDED: Final = re.compile(r"(?<![\w./])#?\d{2,6}\s+" + _NAME + r"\s*\(?\b(MC|C[A-E]|[A-K])\b\)?(?=[\s,.;)]|$)")
+_AS: Final = re.compile(r"(?:^|[,:.]|\band)\s*" + _NAME + r"\s+as\s+(MC|C[A-E]|[A-K])\b")
 # "Dark Dogwood (8820) 3 balls", "1 ball 9872 Llama": one yarn, and no letter
 _ALONE: Final = re.compile(
     r"(?:^|[)™®\]]\s*)"
@@ -336,13 +336,13 @@ _ALONE: Final = re.compile(
 )
 
 
-_LETTERED: Final = re.compile(r"((?:[A-Za-z][\w’'é-]*[ ]){0,3}[A-Za-z][\w’'é-]*)\s*\((MC|CC|[A-K])\)")
+_LETTERED: Final = re.compile(r"((?:[A-Za-z][\w’'é-]*[ ]){0,3}[A-Za-z][\w’'é-]*)\s*\((MC|C[A-E]|[A-K])\)")
 """Words that may end with a colour, before its letter: "DK cotton in red (A), cream (B) and a little white (C)"."""
 _PLAIN: Final = re.compile(
-    r"\b[Cc]olou?r\s+(MC|CC|[A-K])\b[\s:=–-]*([a-z][a-z -]{2,24}?)[ \t]*(?=[(),.;\d]|$)", re.MULTILINE
+    r"\b[Cc]olou?r\s+(MC|C[A-E]|[A-K])\b[\s:=–-]*([a-z][a-z -]{2,24}?)[ \t]*(?=[(),.;\d]|$)", re.MULTILINE
 )
 """A letter before its colour in small letters: "Color A: black"."""
-_BRACKETED: Final = re.compile(r"\b(MC|CC|[A-K])\s*\(([A-Za-z][A-Za-z -]{2,20})\)")
+_BRACKETED: Final = re.compile(r"\b(MC|C[A-E]|[A-K])\s*\(([A-Za-z][A-Za-z -]{2,20})\)")
 
 
 def _lettered(line: str) -> dict[str, str]:
