@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action
 from tambour.crochet.printed.bases import MOST
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doubts import decided
@@ -33,6 +34,10 @@ def anew(p: State, draft: Draft, head: Head, read: Body, span: Span) -> bool:
             body = decided(p.source, words[k % many], p.palette, draft.edge, p.phrases)
         except NotUnderstood:
             return False
+        if k == 0:  # "Join C and rep Rnd 6"
+            begin = read.refers.span.start
+            dyed = [i for i in read.items if isinstance(i, Action) and i.name == "color" and i.span.start < begin]
+            body.items[:0] = dyed
         last = k == total - 1
         body.stated, body.stated_span = (read.stated, read.stated_span) if last else (None, None)
         draft.add(p.source, replace(head, numbers=(first + k,), many=1), body, span)

@@ -120,6 +120,9 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     midway = [(hue, n) for hue, n in body.later if isinstance(hue, Action) and 0 <= n - first_number < total - 1]
     later += tuple(hue for hue, n in body.later if isinstance(hue, Action) and (hue, n) not in midway)
     lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
+    first_dyes = {i.numbers for i in lead if i.name == "color"}
+    if how is None and not body.hues and len(first_dyes) == len(_dyes(lines)) == 1 and first_dyes != _dyes(lines):
+        lines = tuple(_undyed(line) for line in lines)  # "With B, rep Rnds 7-9", which are all in A
     again = Again(lines, first_number, last_number, "" if origin is draft else origin.name, refers.span)
     notes = (how.span,) if how is not None else ()  # stands beside what is printed as a reference again
     line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again, notes)
@@ -129,7 +132,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     made = turned_to(made, midway, first_number)
     if how is not None and how.only is not None:
         made = banded(list(line.rounds()), how, first_number)
-    dyes = {i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"}
+    dyes = _dyes(lines)
     if body.hues and how is None and max(len(body.hues), len(dyes)) > 1:
         message = "these yarns are taken in the order in which colours come there"
         source.doubt(message, "nothing is amiss", refers.span)
@@ -180,6 +183,11 @@ def _other_yarns(p: State, refers: Refers) -> Dye | None:
     return how
 
 
+def _dyes(lines: tuple[Line, ...]) -> set[tuple[float, ...]]:
+    """The colours that lines change to."""
+    return {i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"}
+
+
 def _undyed(line: Line) -> Line:
     """A line without its colours."""
     return replace(line, items=tuple(i for i in line.items if not (isinstance(i, Action) and i.name == "color")))
@@ -209,13 +217,18 @@ def _lifted(draft: Draft, lines: tuple[Line, ...]) -> tuple[tuple[Action, ...], 
     moved = any(isinstance(i, Action) and i.name in ("join", "turn") for i in lines[0].items[:2])
     if moved or not (isinstance(first, Action) and first.name == "ch" and first.times <= LIFT):
         return (), lines
-    last = draft.lines[-1] if draft.lines else None
-    while last is not None and last.again is not None:
-        last = last.again.lines[-1]
+    last = _resolved(draft.lines[-1]) if draft.lines else None
     move = Action("turn" if draft.flat else "join", first.span)
-    if not closes(lines[-1]):
+    if not closes(_resolved(lines[-1])):
         return (), (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
     return (() if last is None or closes(last) or not any(map(works, last.items)) else (move,)), lines
+
+
+def _resolved(line: Line) -> Line:
+    """The round that a line works again, which says how it ends; the line itself where it says its own."""
+    while line.again is not None:
+        line = line.again.lines[-1]
+    return line
 
 
 def _reach(lines: tuple[Line, ...], total: int, edge: int | None, source: Source) -> int | None:

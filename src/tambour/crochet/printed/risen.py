@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import STANDING, Stitch
-from tambour.crochet.language.tree import Action, Item
+from tambour.crochet.language.tree import Action, Item, Line
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import goes, span_of, works
 from tambour.crochet.printed.reader import Body
@@ -41,10 +41,20 @@ def begun(draft: Draft, head: Head | None, items: list[Item], body: Body) -> lis
         turn = Action("turn", span_of(items[at]))
         if turned:
             return [*items, turn]  # rows of which the first is turned already: each ends with its turn
-        if head is not None and not several and draft.lines[-1] is before and before.in_round and before.times == 1:
+        each = several and closes(items[-1])  # a turn before each of them would be one too many
+        if (
+            head is not None
+            and (each or not several)
+            and draft.lines[-1] is before
+            and before.in_round
+            and before.times == 1
+        ):
             draft.lines[-1] = replace(
                 before, items=(*before.items, turn)
             )  # a row ends with its turn, so that it can be repeated
+            return items
+        if each:
+            draft.lines.append(Line((turn,), span_of(items[at]), False))
             return items
         return [*items[:at], turn, *items[at:]]
     if isinstance(lead, Action) and lead.name == "ch" and lead.times <= LIFT and not turns and not lifted and worked:
