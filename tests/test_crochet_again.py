@@ -86,3 +86,40 @@ def test_rows_are_turned_once_between_each_other(said: str) -> None:
     pattern = read(Text(SKIRT.format(said), "skirt.txt"))
     assert not pattern.unread
     assert set(turns(pattern)) == {1}, turns(pattern)
+
+
+DRESS = """Dress
+
+Bib
+Ch 6.
+Row 1: Sc in 2nd ch from hook and in each ch across, turn. 5 sc.
+Row 2: Ch 1, sc across. Turn.
+With RS facing, skip next 5 ch of foundation chain.
+Row 3: Ch 1, sc across.
+"""
+
+
+def test_where_the_hook_goes_on_is_told_when_it_is_not_followed() -> None:
+    pattern = read(Text(DRESS, "dress.txt"))
+    said = [DRESS[q.span.start : q.span.end] for q in pattern.warnings if q.span and "not followed" in q.message]
+    assert said == ["With RS facing, skip next 5 ch of foundation chain"]
+
+
+LEGS = """Bear
+
+Body
+Rnd 1: 12 sc in magic ring (12)
+Rnd 2: 2 sc in each sc around (24)
+Rnd 3: Sc in each sc around.
+Right Leg: Rnd 4: 1 sc in each of first 4 sc. Skip next 12 sc. 1 sc in each of last 8 sc. (12)
+Rnd 5: Sc in each sc around.
+Fasten off.
+Left Leg: Join yarn with sl st to first skipped sc in 3rd rnd. Ch 1. 1 sc in same sc as sl st. 1 sc in each of next 11 sc. Join. 12 sts.
+Fasten off.
+"""
+
+
+def test_where_a_limb_is_joined_stands_beside_its_first_round() -> None:
+    pattern = read(Text(LEGS, "bear.txt"))
+    notes = [LEGS[n.start : n.end] for part in pattern.parts for line in part.lines for n in line.notes]
+    assert any("first skipped sc in 3rd rnd" in note for note in notes), notes

@@ -10,6 +10,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.printed.bases import UNKNOWN
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -56,7 +57,11 @@ def beside(p: State, draft: Draft) -> list[Line]:
     text = p.source.text.text
     tokens = [t for row in p.rows for t in row.tokens]
     starts = [t.start for t in tokens]
-    told = [q.span for q in (*p.unread, *p.source.problems) if q.span is not None and q.span.end > q.span.start]
+    told = [
+        q.span
+        for q in (*p.unread, *p.source.problems)
+        if q.span is not None and q.span.end > q.span.start and not q.message.startswith(UNKNOWN)
+    ]  # an edge that is not known may be found after all
     told += [one.span for one in p.sentences]
     made = []
     rounds = {line.span for line in draft.lines if line.in_round}

@@ -30,6 +30,7 @@ _MOST: Final = 400
 _SEVERAL: Final = 4
 """Stitches skipped for an opening, not to decrease."""
 UNKNOWN: Final = "the edge that this is worked on is not known"
+_STOP: Final = re.compile(r"[.;:(\[\n]|, ")
 MOST: Final = 5000  # stitches of a round that is taken from its count
 
 
@@ -260,14 +261,21 @@ def based(p: State, draft: Draft, head: Head, read: Body, what: tuple[list[Token
         "name the round: join with sl st to Rnd 5 of Head",
         at,
     )
+    said = (_clause(p, read.moved.span),) if read.moved is not None else ()
     draft.lines.append(
-        Line(foundation(count, at, head.row), at, False)
-    )  # what is amiss in the round is not in its chain
+        Line(foundation(count, at, head.row), at, False, notes=said)
+    )  # what is amiss in the round is not in its chain; where hands work it stands beside
     draft.edge, draft.flat = count, head.row
     tokens, times = what
     again = decided(p.source, tokens, p.palette, count, p.phrases, times)
     again.items = [i for i in lifted(again.items) if not (isinstance(i, Action) and i.name == "fold")]
     return again
+
+
+def _clause(p: State, span: Span) -> Span:
+    """The clause that words stand in, from them to its end."""
+    stop = _STOP.search(p.source.text.text, span.end)
+    return Span(span.start, stop.start() if stop is not None else span.end)
 
 
 def is_first(body: Body, stitches: dict[str, Stitch]) -> bool:

@@ -58,6 +58,9 @@ from tambour.crochet.words.table import TERMS
 
 CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
 
+GONE: Final = (
+    "the hook goes on elsewhere here, which is not followed: the next round is worked where the last one ended"
+)
 
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
@@ -341,6 +344,10 @@ def plainly(p: State, tokens: list[Token]) -> bool:
             return False
         p.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
         return True
+    if body.items and draft is not None and all(isinstance(i, Action) and i.name == "skip" for i in body.items):
+        p.source.doubt(GONE, "say which round, and what is worked there", span)
+        p.passed.append(span)
+        return True  # "Skip next 5 ch of foundation chain."
     starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or rings(i) for i in body.items)
     if draft is None and not starts:
         return False
