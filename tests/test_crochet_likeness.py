@@ -393,3 +393,13 @@ def test_a_mane_goes_down_the_nape_and_leaves_the_face_free() -> None:
         for s in f.spots:
             at = spot(spots, x, SimpleNamespace(spot=s))
             assert at[2] < own[:, 2].max() - 0.25 * np.ptp(own[:, 2])
+
+
+def test_the_round_that_is_said_to_be_sewn_on_is_the_end_that_a_wing_is_held_by() -> None:
+    """A wing that is sewn on by its first round hung from its tip."""
+    wings = LIMBS.format("WINGS", 2)
+    pattern = read(BODY + wings, "Whipstitch the first rnd of each wing to the body at Rnd 8.", "Bird")
+    held = of(pattern, "WINGS")
+    assert len(held) == 2 and all(f.by == 1 for f in held)
+    pattern = read(BODY + wings, "Whipstitch the last rnd of each wing to the body at Rnd 8.", "Bird")
+    assert all(f.by is None for f in of(pattern, "WINGS"))

@@ -19,6 +19,8 @@ from tambour.geometry.surface import vertex_normals
 
 THIN: Final = 0.3
 """What is less thick than so much of its width, root of the mean of squares, is flat."""
+PUFFED: Final = 0.85
+"""The same of two pieces in rows that are sewn to each other round some stuffing: a fish, a star, a cookie."""
 LONG: Final = 1.5
 """A flat thing so much deeper than wide lies across."""
 OPEN: Final = 12
@@ -58,8 +60,9 @@ def laid_out(built: Built, x: Array) -> Array:
         off = x[own] - middle
         outward = vertex_normals(x, faces)[own].sum(0) if len(faces) else np.zeros(3)
         parts = [p for p in np.unique(graph.part[own]).tolist() if graph.parts[p].end > graph.parts[p].start]
-        if (flat := _flat(off, outward)) is not None:
-            off = _unbowed(flat)
+        puffed = len(parts) == 2 and all(spots.in_rows[p] for p in parts)
+        if (flat := _flat(off, outward, PUFFED if puffed else THIN)) is not None:
+            off = flat if puffed else _unbowed(flat)
         elif (one := _hollow(built, spots, parts)) is not None and (
             way := _mouth(spots, x, one, len(parts) > 1)
         ) is not None:
@@ -71,10 +74,10 @@ def laid_out(built: Built, x: Array) -> Array:
     return x
 
 
-def _flat(off: Array, outward: Array) -> Array | None:
+def _flat(off: Array, outward: Array, thin: float) -> Array | None:
     """A thing (K, 3) about its middle, turned to lie; None for what is not flat. outward : the sum of its normals."""
     size, ways = axes(off)
-    if size[2] > THIN * size[1]:
+    if size[2] > thin * size[1]:
         return None
     right = outward if float(length(outward)) > 1e-6 else np.array([0.0, 0.1, 1.0])
     up = ways[2] if float(ways[2] @ right) >= 0.0 else -ways[2]

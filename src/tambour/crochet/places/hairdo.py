@@ -57,9 +57,9 @@ _BUN: Final = re.compile(r"\bbuns?\b|\btop ?knots?\b|\bhair\s+up\b")
 _FRINGE: Final = re.compile(r"\b(?:bangs|fringe)\b")
 _CUT_TO: Final = {"chin": 1.9, "shoulder": 2.8, "waist": 5.0}
 """How long hair is, in halves of a head's height, that is trimmed to a place."""
-_CROWN: Final = ((0.0, 0.98, 0.1), (0.0, 0.85, -0.5), (0.0, 0.5, -0.85))
+_CROWN: Final = ((0.0, 0.9, -0.4), (0.0, 0.5, -0.85))
 _NAPE: Final = np.array([0.0, 0.5, -0.85])
-"""A mane's way over a head, and where it is on a neck."""
+"""A mane's way over a head, behind its ears, and where it is on a neck."""
 USUAL: Final = 2.6
 """The same where nothing says it."""
 CLOSE: Final = 1.1

@@ -50,6 +50,12 @@ _WIDE_ONES: Final = frozenset(("muzzle", "nose", "beak"))
 """Kinds of things that are wider than high on a face, where they are ovals."""
 _OVAL: Final = 1.25
 """What is so many times as long as wide is an oval."""
+_FIRST_OF: Final = re.compile(
+    r"\b(?:first|1st) (?:rounds?|rnds?) of (?:the |each |both |every |left |right |two )*([a-z]+)\b"
+)
+"""The end that a part was begun at, where that is sewn on: "whipstitch the first round of each wing to the body"."""
+_RING: Final = 4
+"""So many stitches, or more, make a round that something is sewn by."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 
@@ -154,7 +160,18 @@ class Holder(Beside):
             record = replace(record, points=way.axis)  # which way is up on the top of a head is left to a trifle
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
+        if (begun := self._by_beginning(put, copy)) is not None:
+            return replace(record, by=begun)
         return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    def _by_beginning(self, put: Put, copy: Copy) -> float | None:
+        """The first round of a part worked in rounds, where that is what is said to be sewn on."""
+        said = _FIRST_OF.search(put.where.text)
+        if said is None or one(said[1]) not in copy[0].words:
+            return None
+        part = self.work.spots.parts[copy[0].copy(copy[1])]
+        numbers = [n for n, ring in self.work.host(copy).levels if len(ring) >= _RING]
+        return float(numbers[0]) if numbers and not self.work.spots.in_rows[part] else None
 
     def _shut_below(self, host: Host) -> float | None:
         """The round of a stuffed body's lower end, where that stays open and is sewn shut from side to side; None else."""

@@ -54,7 +54,7 @@ _KINDS: Final[dict[str, str]] = {
     "fender": "fender mudguard",
     "worn": "dress nightgown gown necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
     "trouser short legging jean knicker diaper tutu swimsuit romper pajama bandana necklace headband tiara bag purse basket blanket "
-    "strap lace tie gusset scarf belt sleeve cuff emblem bracelet armband band glasses edging trim ruffle garland wreath clothe saddle bridle",
+    "strap lace tie gusset scarf belt sleeve emblem bracelet armband band glasses edging trim ruffle garland wreath clothe saddle bridle",
 }
 KINDS: Final[dict[str, str]] = {word: kind for kind, words in _KINDS.items() for word in words.split()}
 """Word → kind."""
@@ -169,7 +169,8 @@ class Made:
     @property
     def worn(self) -> bool:
         """Whether it is put on a toy, and not sewn to make it."""
-        return self.likely == "worn" or ("worn" in self.kinds and not self.likely)
+        cuffed = self.words[-1:] == ["cuff"] and len(self.words) > 1 and not self.kinds  # of breeches, not of a cone
+        return self.likely == "worn" or ((cuffed or "worn" in self.kinds) and not self.likely)
 
     @property
     def vessel(self) -> bool:
