@@ -21,6 +21,8 @@ THIN: Final = 0.3
 """What is less thick than so much of its width, root of the mean of squares, is flat."""
 PUFFED: Final = 0.85
 """The same of two pieces in rows that are sewn to each other round some stuffing: a fish, a star, a cookie."""
+HEM: Final = 1.3
+"""A garment's hem is so many times as wide as its waist, or more."""
 LONG: Final = 1.5
 """A flat thing so much deeper than wide lies across."""
 OPEN: Final = 12
@@ -64,7 +66,7 @@ def laid_out(built: Built, x: Array) -> Array:
         if (flat := _flat(off, outward, PUFFED if puffed else THIN)) is not None:
             off = flat if puffed else _unbowed(flat)
         elif (one := _hollow(built, spots, parts)) is not None and (
-            way := _mouth(spots, x, one, len(parts) > 1)
+            way := _mouth(spots, x, one, _named(built, one).worn)
         ) is not None:
             vessel = _named(built, one).vessel
             rim = UP if vessel else -UP
@@ -116,9 +118,10 @@ def _mouth(spots: Spots, x: Array, part: int, hem: bool) -> Array | None:
     if spots.in_rows[part]:
         return None
     rims = [rim for rim in (spots.rim(part), spots.begun(part)) if len(rim) >= OPEN]
-    if len(rims) != 1 and not (hem and rims):
+    rims = sorted(rims, key=len)
+    if len(rims) != 1 and not (hem and rims and len(rims[-1]) > HEM * len(rims[0])):
         return None
-    rims = sorted(rims, key=len)[-1:]
+    rims = rims[-1:]
     span = spots.built.graph.parts[part]
     own = x[span.start : span.end]
     out = x[rims[0]].mean(0) - own.mean(0)
