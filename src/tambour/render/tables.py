@@ -84,7 +84,7 @@ def tile(grain: str) -> Array:
 def _wood() -> tuple[Array, Array]:
     """Boards of one kind of tree, sawn flat: each cuts its years as far from their middle as the log happened to lie; and its pores."""
     rough = stream("table", 1)
-    wide, columns = SIDE // BOARD, np.arange(SIDE)
+    wide = SIDE // BOARD
     across = (np.arange(wide)[:, None] + 0.5) / wide * PLANK
     boards = []
     for _ in range(BOARD):
@@ -103,7 +103,7 @@ def _wood() -> tuple[Array, Array]:
         share * _fine(rough.standard_normal(shape), SIDE, SIDE) for shape, share in (((64, 5), 0.5), ((1024, 20), 0.5))
     )
     fine = 0.05 * _fine(rough.standard_normal((1024, 40)), SIDE, SIDE) + _pores(rough, 5200, 46, 0.5)
-    return _boards(0.24 + 0.34 * rings + 0.05 * streaks + 0.0 * columns, rough, 0.09, 0.6), np.asarray(fine)
+    return _boards(0.22 + 0.44 * rings + 0.06 * streaks, rough, 0.10, 1.0), np.asarray(fine)
 
 
 def _pores(rough: np.random.Generator, count: int, longest: int, deep: float) -> Array:
@@ -128,9 +128,9 @@ def _painted() -> tuple[Array, Array]:
         (_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((128, 6), (24, 24), (7, 9))),
         np.zeros((SIDE, SIDE)),
     )
-    fine = 0.035 * _fine(rough.standard_normal((1024, 48)), SIDE, SIDE) + _pores(rough, 1500, 40, 0.28)
+    fine = 0.035 * _fine(rough.standard_normal((1024, 48)), SIDE, SIDE) + _pores(rough, 2600, 44, 0.4)
     specks = np.maximum(_fine(rough.standard_normal((340, 240)), SIDE, SIDE) - 2.9, 0.0)
-    return _boards(0.10 + 0.02 * brush, rough, 0.03, 0.55), np.asarray(fine + 0.7 * specks)
+    return _boards(0.10 + 0.02 * brush, rough, 0.03, 0.8), np.asarray(fine + 0.7 * specks)
 
 
 def _boards(grain: Array, rough: np.random.Generator, tones: float, groove: float) -> Array:
