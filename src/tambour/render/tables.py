@@ -89,9 +89,9 @@ def _wood() -> tuple[Array, Array]:
     boards = []
     for _ in range(BOARD):
         # mm: where the tree's middle lies beside the board, and how deep below it, as the tree sways along it.
-        beside = PLANK * rough.uniform(-0.1, 1.1) + 7.0 * _fine(rough.standard_normal((1, 4)), 1, SIDE)
-        below = np.abs(rough.uniform(16.0, 46.0) + 13.0 * _fine(rough.standard_normal((1, 3)), 1, SIDE))
-        ripple = 0.5 * _fine(rough.standard_normal((10, 24)), wide, SIDE)
+        beside = PLANK * rough.uniform(-0.1, 1.1) + 3.0 * _fine(rough.standard_normal((1, 4)), 1, SIDE)
+        below = np.abs(rough.uniform(16.0, 46.0) + 6.0 * _fine(rough.standard_normal((1, 3)), 1, SIDE))
+        ripple = 0.3 * _fine(rough.standard_normal((10, 24)), wide, SIDE)
         far = np.sqrt((across - beside) ** 2 + below**2) + ripple
         # A year grows pale first and dark at its end; some are fat and some lean.
         fat = 4.2 + 1.1 * np.interp(far, np.arange(160), rough.standard_normal(160))
