@@ -1,4 +1,4 @@
-"""A text of people's that is printed again in its own language holds all that hands do, in its designer's words."""
+"""A printed pattern's text carries all that its booklet does: a maker has it alone in her hands."""
 
 from __future__ import annotations
 
@@ -6,84 +6,104 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
-from tambour.crochet.page.instructions import plain
+from tambour.crochet.page.instructions import plain, view
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
+from tambour.crochet.printed.choose import read
 
-OTTER = """Otter
+OTTER = """Otto the Otter
+Pattern by Fern Lane
+
+He floats on his back.
 
 MATERIALS
-Riverside DK, 1 ball Slate (A), 1 ball Oat (B)
-3.5 mm hook
-40 cm of green ribbon
-2 buttons, 9 mm
-
-NOTES
-Change yarn in the last loops of the stitch before.
+Yarn: DK, 50 g in brown (A) and a little cream (B).
+Hook: 3 mm.
+Two black beads, a scrap of felt.
 
 BODY
 With A, ch 2.
-Rnd 1: 6 sc in 2nd ch from hook.
-Rnds 2 and 3: 2 sc in each sc around. 24 sc at end of Rnd 3.
-Rnds 4-9: Sc in each sc around.
+Round 1: 6 sc in 2nd ch from hook - 6 sc.
+2nd and 3rd rounds: 2 sc in each sc around. 24 sc at end of 3rd round.
+Rounds 4-9: Sc in each sc around; do not join, place marker.
 Stuff Body.
-Rnd 10: (Sc in next 2 sc, sc2tog) 6 times (18)
-Rnd 11: (Sc in next sc, sc2tog) 6 times (12)
-Finish stuffing.
-Rnd 12: Sc2tog around (6)
-Fasten off, leaving a long tail.
+Round 10: *Sc2tog; rep from * around - 12 sc.
+Fasten off, leaving a long tail. Sew the bottom edge closed.
 
-ARM (make 2)
+PAW (make 2)
 With B, ch 2.
-Rnd 1: 6 sc in 2nd ch from hook.
-Rnds 2-5: Sc in each sc around.
-Fasten off. Stuff arms lightly.
+Round 1: 5 sc in 2nd ch from hook - 5 sc.
+Rounds 2-3: Sc in each sc around.
+Do not stuff. Fasten off.
 
 FINISHING
-With B, embroider eyes as French knots. Sew arms to sides of body at Rnd 8. Tie the ribbon around the neck.
+Sew the paws to the body between rounds 5 and 6, 6 stitches apart.
+With black yarn, embroider two closed eyes on the body over round 4, in backstitch.
+Brush him a little.
 """
 
 
-def reprint(words: str, terms: str | None = None) -> list[str]:
-    piece = make(Text(words, "otter.txt"), CrochetParams(solver="none", terms=terms), Progress())
-    return plain(piece).text.splitlines()
+@pytest.fixture(scope="module")
+def reprint() -> str:
+    return plain(make(Text(OTTER, "otter.txt"), CrochetParams(solver="none"), Progress())).text
 
 
 @pytest.mark.parametrize(
     "said",
     [
-        "- 40 cm of green ribbon",
-        "- 2 buttons, 9 mm",
-        "Change yarn in the last loops of the stitch before.",
+        "He floats on his back.",
+        "Two black beads, a scrap of felt.",
         "Stuff Body.",
-        "Finish stuffing.",
-        "Stuff arms lightly.",
+        "leaving a long tail.",
+        "Sew the bottom edge closed.",
+        "Do not stuff.",
+        "Do not join, place marker.",
+        "Sew the paws to the body between rounds 5 and 6, 6 stitches apart.",
+        "With black yarn, embroider two closed eyes on the body over round 4, in backstitch.",
+        "Brush him a little.",
     ],
 )
-def test_what_hands_do_and_need_stands_in_her_words(said: str) -> None:
-    assert reprint(OTTER).count(said) == 1
+def test_what_she_says_is_there(reprint, said):
+    assert said in reprint
 
 
-def test_her_sentences_of_the_assembly_are_hers_and_what_the_pictures_chose_stands_beside() -> None:
-    lines = reprint(OTTER)
-    put = lines[lines.index("Assembly") :]
-    assert any(line.startswith("- With B, embroider eyes as French knots.") for line in put)
-    assert any(line.startswith("- Sew arms to sides of body at Rnd 8. (") for line in put)
-    assert any("Tie the ribbon around the neck" in line for line in put)
+def test_a_count_of_two_rounds_is_the_last_ones(reprint):
+    assert "Rnd 2: 6 inc (12)" in reprint
+    assert "Rnd 3: 12 inc (24)" in reprint
+    assert "as written" not in reprint and "at end of" not in reprint
 
 
-def test_stuffing_goes_in_before_the_rounds_that_close() -> None:
-    lines = reprint(OTTER)
-    assert lines.index("Stuff Body.") < next(k for k, x in enumerate(lines) if x.startswith("Rnd 10"))
-    assert lines.index("Finish stuffing.") < next(k for k, x in enumerate(lines) if x.startswith("Rnd 12"))
+def test_stitches_into_a_ring_are_no_increase(reprint):
+    assert "Rnd 1: 6 sc in magic ring (6)" in reprint
 
 
-def test_a_count_at_the_end_of_several_rounds_is_that_of_the_last() -> None:
-    lines = reprint(OTTER)
-    assert "Rnd 2: 6 inc (12)" in lines and "Rnd 3: 12 inc (24)" in lines
-    assert not any("as written it makes" in line for line in lines)
+def test_sentences_stand_in_their_order(reprint):
+    order = ["Rnd 4-9", "Do not join", "Stuff Body", "Rnd 10", "Fasten off, leaving", "bottom edge closed", "PAW"]
+    places = [reprint.index(words) for words in order]
+    assert places == sorted(places)
 
 
-def test_in_another_language_it_is_printed_in_that_languages_words() -> None:
-    lines = reprint(OTTER, "de")
-    assert "Stuff Body." not in lines and any(line.startswith("Rd 12") for line in lines)
+@pytest.mark.parametrize("marks", [plain, view])
+def test_it_reads_as_the_same_pattern(marks):
+    piece = make(Text(OTTER, "otter.txt"), CrochetParams(solver="none"), Progress())
+    again = make(Text(marks(piece).text, "again.txt"), CrochetParams(solver="none"), Progress())
+    rounds = [[r.count for r in one.built.rounds if r.count] for one in (piece, again)]
+    assert rounds[0] == rounds[1]
+    kinds = [sorted(type(f).__name__ for f in one.built.pattern.finish) for one in (piece, again)]
+    assert kinds[0] == kinds[1]
+    assert not again.built.pattern.unread
+
+
+def test_a_line_of_ours_is_not_read_as_hers():
+    """What stands behind a › is found again; in a text of other people it is a line as any."""
+    mine = "Ball\n\nAbbreviations (US terms)\n\nBODY\nRnd 1: 6 sc in magic ring (6)\n› Each 2 stitches from Rnd 1.\nRnd 2: 6 inc (12)\n"
+    assert not read(Text(mine, "mine.txt")).unread
+    theirs = "BODY\nRnd 1: 6 sc in magic ring (6)\n› Rnd 2: 6 inc (12)\n"
+    assert [line.number for line in read(Text(theirs, "theirs.txt")).parts[0].lines] == [1, 2]
+
+
+@pytest.mark.parametrize("bullet", list("•›»‣⁃∙~▪➤✓☐-"))
+def test_a_bullet_before_a_round_is_a_bullet(bullet):
+    text = f"BODY\n{bullet} Rnd 1: 6 sc in magic ring (6)\n{bullet} Rnd 2: 6 inc (12)\n"
+    pattern = read(Text(text, "listed.txt"))
+    assert [line.number for line in pattern.parts[0].lines] == [1, 2] and not pattern.unread

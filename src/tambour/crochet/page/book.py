@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cached_property
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
@@ -79,17 +80,18 @@ def cropped(picture: Picture, shape: float) -> Picture:
 class Book:
     """What all pages of a booklet share, and the pages so far.
 
-    piece, said : the plush and its words; album : what its small pictures share; own : the page's own words
+    piece, said : the plush and its words; own : the page's own words
     hers : the designer's own sentences, None where they are ours; spoken : says where parts go; code : of the terms
     taken : says what the pictures have where she leaves something open
-    sized : the finished size in her words, "" where she says none; accent : a colour for headings, the main yarn's, dark enough to read
-    photos : the designer's own, (where in her text, picture), the first for the cover; low : little ink is used
+    sized : the finished size in her words, "" where she says none; low : little ink is used
     scale : how much larger than they are set its pages are printed; cared : whether care is set already
+
+    Words alone need no yarn: what pictures need is made when it is first looked at.
     """
 
     def __init__(self, piece: Plush) -> None:
         params = piece.params
-        self.piece, self.album = piece, Album(piece)
+        self.piece = piece
         self.said: Words = words(piece.built, params.terms, exact=False)
         if of_model(piece):
             self.said = noted(self.said, piece)
@@ -110,12 +112,30 @@ class Book:
         wide, high = PAPERS[params.page]
         self.paper, self.size = (wide, high), (wide / self.scale, high / self.scale)
         self.low = params.ink == "low"
-        self.album.backdrop = WHITE if self.low else BACKDROP
-        self.photos = photos(piece.built.pattern.text)
         self.pages: list[Page] = []
         self.cared = False
-        self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
-        self.accent = _readable(_main(piece))
+
+    @cached_property
+    def album(self) -> Album:
+        """What its small pictures share."""
+        made = Album(self.piece)
+        made.backdrop = WHITE if self.low else BACKDROP
+        return made
+
+    @cached_property
+    def photos(self) -> list[tuple[int, Picture]]:
+        """The designer's own, (where in her text, picture), the first for the cover."""
+        return photos(self.piece.built.pattern.text)
+
+    @cached_property
+    def used(self) -> list[RGB]:
+        """The yarn's colours, in the order in which they are taken up."""
+        return [(int(r), int(g), int(b)) for r, g, b in _in_order(self.piece.yarn.color)]
+
+    @cached_property
+    def accent(self) -> RGB:
+        """A colour for headings, the main yarn's, dark enough to read."""
+        return _readable(_main(self.piece))
 
     def called(self, said: str) -> str:
         """What is ours, with the parts as they are headed: "The Bear's Head" for The Bear s Head, "Part 3" for part_3."""

@@ -167,9 +167,7 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     own, made, begun = book.own, list[Row](), False
     chain = _first_chain(book, block)
     for row in rows:
-        words = (
-            row.words.strip("*") if row.words[:1] == row.words[-1:] == "*" else row.words
-        )  # set in italics elsewhere
+        words = row.words.strip("*") if _noted(row) else row.words  # set in italics elsewhere
         if not row.label and row.colors and begun:
             words = f"{own['in last loop'].format(change=words.rstrip('.'))}."
         elif row.label and not begun and 2 <= chain <= 9:
@@ -279,9 +277,12 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         ways = {f"{book.said.terms.sentences[key]}.".lower() for key in ("up end", "up start", "up side", "up back")}
         rows = [row for row in rows if row.label or row.words.lower() not in ways]
     eyes = _eyes_here(book, block)
+    end = len(rows)
     for after, words, span in reversed(said):
         begun = 1 if _begun(book, block, rows, span) else 0
-        at = next((k + 1 for k, row in enumerate(rows) if row.number >= after > 0), begun if after == 0 else len(rows))
+        at = next((k + 1 for k, row in enumerate(rows) if row.number >= after > 0), begun if after == 0 else end)
+        while after and at < len(rows) and _noted(rows[at]):
+            at += 1  # what is noted with the round stands with it
         if words.split()[0].lower() in _said(book, "stuff"):
             inside = reach([(row.count, bool(row.label)) for row in rows])
             at = min(at, inside + 1) if inside >= 0 else at  # a closed piece takes no stuffing
@@ -308,6 +309,10 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         if hers and (apart := book.taken.eyes(eyes)):
             rows.insert(at + 1, Row("", apart, ours=True))
     return rows
+
+
+def _noted(row: Row) -> bool:
+    return not row.label and row.words[:1] == row.words[-1:] == "*"
 
 
 def _hung_on(book: Book, block: PartText) -> str:

@@ -19,7 +19,7 @@ def reprinted(piece: Plush) -> Words | None:
     if hers is None:
         return None
     made = book.said
-    finish = tuple(f"{words}{''.join(f' ({note})' for note in notes)}" for words, notes in steps_said(book))
+    finish = tuple("\n  › ".join((words, *notes)) for words, notes in steps_said(book))  # ours as the booklet has it
     meant = {said.lower() for said, _ in made.abbreviations}
     terms = tuple((said, meaning) for said, meaning in hers.terms.items() if said.lower() not in meant)
     return replace(

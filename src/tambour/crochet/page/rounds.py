@@ -18,6 +18,7 @@ from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import Terms
 
 _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring", "curl": "curl"}
+_INTO_ONE: Final = re.compile(r"(\w*?)inc(\d*)")
 _HEADED: Final = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)?\.?\s*\d+\W*\s", re.IGNORECASE)
 _NUMBERED: Final = re.compile(r"\b(?:rounds?|rnds?|rows?|rd|r)\.?\s*\d+[^.]*$|^\s*\d+\s*[.:)][^.]*$", re.IGNORECASE)
 _COUNTED: Final = re.compile(r"\s*[-–=]*\s*[(\[{]\d+(?:\s*\w+)?[)\]}]\W*$")
@@ -165,7 +166,17 @@ class Rounds:
             return self.terms.page["worked in"].format(items=items, part=done.labels[0])
         stitch = self.pattern.stitches[done.what]
         if stitch.inner:
-            inner = ", ".join(self._stitch(Done(name, times)) for name, times in stitch.inner)
+            into = stitch.inner
+            found = (
+                _INTO_ONE.fullmatch(into[0][0])
+                if stitch.where == "ring" and len(into) == 1 and not self.exact
+                else None
+            )
+            if found is not None:  # a ring is one place, but nobody calls its stitches an increase
+                into = ((found[1] or "sc", int(found[2] or 2) * into[0][1]),)
+                if into[0][0] == "sc" and done.times == 1:
+                    return self.done(Done("mr", 1, (into[0][1],)), False)
+            inner = ", ".join(self._stitch(Done(name, times)) for name, times in into)
             said = self.phrases.say(f"one {_PLACES[stitch.where]}", items=inner)
             return said if done.times == 1 else self.phrases.say("group", items=said, count=done.times)
         if done.what in self.own:

@@ -30,6 +30,10 @@ from tambour.crochet.words.table import Terms
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 _TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
+_AT_END: Final = re.compile(
+    r"(\d+) [a-z ]{1,20} (?:at|after) (?:the )?end of [\w ]*(?:rnd|round|row)s?\.?", re.IGNORECASE
+)
+"""A count of several rounds: "24 sc at end of 3rd rnd"."""
 _CLOSED: Final = 8
 """A part whose last rounds have so few stitches is closed by them."""
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
@@ -273,13 +277,26 @@ class Writer:
             if stuffing and k == reached:
                 lines, stuffing = [*lines, *said, *(Row("", words) for words in stuffing)], []
                 said = []
-            lines += [*said, *(Row("", f"*{' '.join(note.split()).strip('*')}*") for note in line.notes)]
+            lines += [*said, *(Row("", f"*{note}*") for note in self._notes(line))]
         name = self._heading(section.name, section.span) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
         if section.heading and not self.exact:
             name, copies = self._heading(section.heading, section.span), self._hued(index)
             lines = lines[1:]  # every copy begins with its own colour
         return PartText(name, copies, (*lines, *(Row("", words) for words in stuffing)), tuple(settings), part, index)
+
+    def _notes(self, line: Written) -> list[str]:
+        """What is noted with a round, for people in sentences: one for each note, or a clause of the one before it."""
+        notes = [" ".join(note.split()).strip("*") for note in line.notes]
+        if self.exact or not notes:
+            return notes
+        made = ""
+        for note in notes:
+            if (counted := _AT_END.fullmatch(note)) is not None and int(counted[1]) == line.count:
+                continue  # it stands in brackets behind the round
+            goes_on = made and note[:1].islower()
+            made += f", {note}" if goes_on else f"{'. ' if made else ''}{note[:1].upper()}{note[1:]}"
+        return [made if made.endswith((".", "!", "?", ")")) else f"{made}."] if made else []
 
     def _hued(self, index: int) -> str:
         """How many copies of a part are made in which colours."""

@@ -154,7 +154,15 @@ def _lines(
             final = at == len(of) or of[at] is not source  # "Rnds 2 and 3: … 24 sc at the end of Rnd 3"
             said = source.stated if source.stated and count and source.stated != count and final else 0
             written = Written(
-                number, 1, makes, tuple(brackets(line)), count, tuple(notes), said, source.span in told, source
+                number,
+                1,
+                makes,
+                tuple(brackets(line)),
+                count,
+                tuple(notes) if final else (),
+                said,
+                source.span in told,
+                source,
             )
             before = made[-1] if made else None
             if number:

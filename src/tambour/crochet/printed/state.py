@@ -111,6 +111,11 @@ _ENDED: Final = re.compile(r"\b(?:fasten(?:ed|ing)? off|sew|sewn|bind off)\b", r
 _WORK: Final = 4  # words and signs behind the head of a round among which it works something
 
 
+def _noted(text: str, rows: list[Row]) -> list[Row]:
+    """Lines of a text of ours that say what the sentence above them leaves open, which is found again when it is read."""
+    return [row for row in rows if text[row.start : row.end].lstrip().startswith("›")]
+
+
 class State:
     """What is known of a text so far: its lines, its words, its parts, and what waits for the part that comes next."""
 
@@ -122,6 +127,8 @@ class State:
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
+        noted = _noted(source.text.text, self.rows) if TERMS[self.language.code].sets(source.text.text) else []
+        self.rows = [row for row in self.rows if row not in noted]
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         if not TERMS[self.language.code].prints(source.text.text):
             self.rows = pages(source.text.text, self.rows, self.vocabulary)
@@ -170,7 +177,7 @@ class State:
         self.hinted: dict[
             str, tuple[str, Span]
         ] = {}  # the same, told by the way: it is stated where nothing else says it
-        self.passed: list[Span] = []
+        self.passed = [Span(row.start, row.end) for row in noted]
         self.understood = self.failed = self.row_at = 0
         self.ringed: Token | None = None  # a ring that stands on a line of its own above its first round
         self.always: Loops | None = None  # the loops that rounds of the text are worked into

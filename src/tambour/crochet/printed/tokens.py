@@ -248,7 +248,7 @@ _ASIDE: Final = 14
 _WEIGHTS: Final = frozenset(("**", "***", "****", "__", "___"))
 _GOES_ON: Final = frozenset(("around", "across", "to", "until", "end", "all", "twice", "once"))  # "Rep from | * around"
 _BOXES: Final = frozenset("☐☑□▢◻⬜▫◯")  # that are ticked, one a round
-_LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
+_LEADING: Final = frozenset("#>›»‣⁃∙~•◦▪●○■□★☆♥❤·*-+|")
 
 
 def _bullet(tokens: list[Token], at: int) -> bool:

@@ -173,7 +173,15 @@ class Terms:
 
     def prints(self, text: str) -> bool:
         """Whether a text was printed by tambour in this language, so that its words mean what they do in tambour's own."""
-        return f"## {self.word('abbreviations')} ({self.sentences['terms']})" in text
+        return f"## {self._listed}" in text
+
+    def sets(self, text: str) -> bool:
+        """Whether tambour set a text in this language, with or without the marks of Markdown, of words that may be its designer's."""
+        return f"\n{self._listed}\n" in text or self.prints(text)
+
+    @property
+    def _listed(self) -> str:
+        return f"{self.word('abbreviations')} ({self.sentences['terms']})"
 
 
 class Tables(Mapping[str, Terms]):
