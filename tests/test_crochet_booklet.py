@@ -138,7 +138,7 @@ def test_hands_are_told_what_they_must_know() -> None:
     door = [said for said, _ in rows(shop("toadstool"), "DOOR")]
     assert "Row 1 from the 2nd ch from the hook: 5 sc, turn" in door
     legs = [said for said, _ in rows(shop("pickles"), "FRONT LEGS")]
-    assert "Change to grey, in the last loop of the stitch before." in legs and "Use cream." in legs
+    assert "Change to grey, with the last yarn over of the stitch before." in legs and "Use cream." in legs
     assert _ways(shop("toadstool")) == [
         "spiral",
         "turning text",

@@ -13,7 +13,7 @@ from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.page.book import Book
-from tambour.crochet.page.placement import _NUMBER, _share, _sides, placement
+from tambour.crochet.page.placement import _NUMBER, _middles, _share, _sides, _spaced, placement
 from tambour.crochet.page.placement import _marks as marks_of
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
@@ -122,3 +122,21 @@ def test_charts_speak_the_booklets_language(terms: str) -> None:
 
 def test_what_nothing_is_sewn_to_has_no_chart() -> None:
     assert placement(book(TOY.split("ARM")[0])) == []
+
+
+def test_numbers_of_rounds_that_words_name_are_all_there() -> None:
+    """A chart's own rounds give way; those that a sentence counts on stand beside it, however close they lie."""
+    numbers = {n: np.array([10.0, 0.9 * n]) for n in range(1, 13)}
+    found = {n: high for n, _, high in _spaced(numbers, {4, 5, 7, 8})}
+    assert {4, 5, 7, 8} <= set(found)
+    heights = sorted(found.values())
+    assert min(np.diff(heights)) >= _NUMBER - 0.01
+    assert [found[n] for n in (4, 5, 7, 8)] == sorted(found[n] for n in (4, 5, 7, 8))
+
+
+def test_the_middle_of_the_front_is_told_by_its_stitch() -> None:
+    """Eyes between 13 and 14, and between 25 and 26, have their middle between 19 and 20."""
+    whale = book((Path(__file__).parent / "data" / "shop" / "whale.txt").read_text(encoding="utf-8"))
+    spots = Spots(whale.piece.built)
+    said = _middles(whale, spots, spots.parts["BELLY AND BODY"], {9})
+    assert said == "Middle of the front: Rnd 9, between st 19 and 20"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, cos, pi, sin
+from math import atan2, ceil, cos, pi, sin
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -19,7 +19,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.page.begin import paragraph
 from tambour.crochet.page.flow import Atom, Chunk
-from tambour.crochet.page.type import BODY, HAIR, INK, SMALL, SOFT, width_of, wrap
+from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.geometry.motion import dot, turned
 from tambour.geometry.surface import vertex_normals
 
@@ -36,6 +36,8 @@ _VIEWS: Final = {
     "below": (0.0, -0.5 * pi),
 }
 """From where a part is drawn: azimuth and elevation, by the page's words; the front before all others."""
+_DASHED: Final = {"front": 0.0, "above": 0.0, "below": 0.0, "back": 0.5}
+"""Sides on which a dashed line is the middle of the front, or so much of a round on from it."""
 _FACING: Final = 0.02
 """What faces the eye less than this, as a cosine, is behind the edge."""
 _SHOWN, _ENOUGH = 0.3, 0.45
@@ -44,8 +46,14 @@ _HIGH: Final = 38.0
 """How high a chart is at the most, mm."""
 _LEAST: Final = (4, 18)
 """A part of fewer rounds, or of fewer stitches in the longest, needs no chart: there is little to count."""
+_AROUND: Final = 8
+"""On a round of so few stitches no middle is counted."""
 _EVEN: Final = 3
 """How often stitches are moved between their neighbours."""
+_CUTS: Final = 3
+"""How often the corners of a seam are cut: stitches are its corners, and yarn has none."""
+_BOW: Final = 4
+"""A seam of no more stitches is straight."""
 _NUMBER: Final = 2.3
 """Type of the rounds' numbers, and the least way from one to the next, mm."""
 _LEFT, _RIGHT = 0.3, 0.12
@@ -55,7 +63,7 @@ _LEFT, _RIGHT = 0.3, 0.12
 @dataclass(frozen=True, eq=False, slots=True)
 class _Mark:
     """Something on a part: its name ("" an eye), the points (P, 3) that it is sewn to and the fabric's normals there, its colour, whether
-    it is sewn on all round it, and the rounds that it takes."""
+    it is sewn on all round it, the rounds that it takes, and those that its sentences name."""
 
     name: str
     points: Array
@@ -63,13 +71,14 @@ class _Mark:
     color: RGB
     ring: bool
     rounds: tuple[int, ...]
+    named: tuple[int, ...] = ()
 
 
 def placement(book: Book) -> list[Chunk]:
     """A chart for every part in rounds that others are sewn to, from the one or two sides that show most of their seams; before the
     first what the charts mean."""
     built, x = book.piece.built, book.piece.positions
-    spots, made, done = Spots(built), list[Chunk](), set[int]()
+    spots, made, done, dashed = Spots(built), list[Chunk](), set[int](), False
     for record in built.pattern.finish:
         host = spots.parts.get(record.spot.part, -1) if isinstance(record, Placed) else -1
         counts = [r.count for r in built.rounds if r.part == host and not r.aside]
@@ -79,9 +88,12 @@ def placement(book: Book) -> list[Chunk]:
         normals = vertex_normals(x, spots.faces(host))
         marks = _marks(book, spots, host, normals)
         if any(mark.name for mark in marks):
-            made += [_chart(book, spots, host, side, marks, normals) for side in _sides(marks)]
+            sides = _sides(marks)
+            dashed = dashed or any(side in _DASHED for side in sides)
+            made += [_chart(book, spots, host, side, marks, normals) for side in sides]
     if made:
-        made[0].atoms[:0] = paragraph(book.own["placement"], book.frame.width, BODY)
+        said = [book.own["placement"], *([book.own["placement middle"]] if dashed else [])]
+        made[0].atoms[:0] = paragraph(" ".join(said), book.frame.width, BODY)
     return made
 
 
@@ -111,7 +123,13 @@ def _marks(book: Book, spots: Spots, host: int, normals: Array) -> list[_Mark]:
         r, g, b = (int(v) for v in np.median(graph.color[graph.part == part], axis=0))
         rounds = tuple(sorted({number[n] for n in held.tolist() if n in number}))
         end = end_of(built, spots, record)
-        made.append(_Mark(book.called(name), x[held], normals[held], (r, g, b), end.ring or end.laid, rounds))
+        at_round = float(record.spot.round)
+        named = {int(at_round), ceil(at_round), *book.taken.rounds(record)}
+        made.append(
+            _Mark(
+                book.called(name), x[held], normals[held], (r, g, b), end.ring or end.laid, rounds, tuple(sorted(named))
+            )
+        )
     return made
 
 
@@ -160,9 +178,10 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
     flat, ahead = on(_evened(spots, host, x)), dot(normals, view[2]) > _FACING
     lines, numbers = _rounds(spots, host, flat, ahead, side in ("above", "below"))
     shown = [mark for mark, share in zip(marks, _share(marks, side)) if share >= _SHOWN]
-    wanted = {n for mark in shown for n in (*mark.rounds[:1], *mark.rounds[-1:])}
+    wanted = {n for mark in shown for n in mark.named or (*mark.rounds[:1], *mark.rounds[-1:])}
     name = built.pattern.parts[built.parts[host].section].name
     head = f"{book.called(name)}, {book.own[side]}"
+    middle = wrap(_middles(book, spots, host, wanted), SMALL, width)
 
     def draw(sheet: Page, x0: float, y0: float) -> None:
         at = np.array([x0, y0])
@@ -170,18 +189,37 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
         for line in lines:
             sheet.shape(line + at, None, SOFT, 0.12)
         sheet.circles(np.concatenate(lines) + at, 0.3, SOFT)
-        if side == "front":
-            _middle(sheet, spots, host, flat + at, ahead)
+        if side in _DASHED:
+            _middle(sheet, spots, host, flat + at, ahead, _DASHED[side])
         for mark in shown:
             _sewn(sheet, mark, on(mark.points) + at)
-        for n, spot in _spaced(numbers, wanted):
-            column, y = x0 + start + wide + 2.5, y0 + float(spot[1])
-            sheet.line(x0 + float(spot[0]) + 0.5, y, column - 0.5, y, HAIR, 0.15)
+        for n, spot, high in _spaced(numbers, wanted):
+            column, y = x0 + start + wide + 2.5, y0 + high
+            sheet.line(x0 + float(spot[0]) + 0.5, y0 + float(spot[1]), column - 0.5, y, HAIR, 0.15)
             sheet.text(str(n), column, y + 0.36 * _NUMBER, _NUMBER, n in wanted, INK if n in wanted else SOFT)
         _names(sheet, [(mark.name, on(mark.points) + at) for mark in shown if mark.name], x0, start - 2.0, y0, tall)
-        sheet.text(head, x0, y0 + tall + SMALL + 1.8, SMALL, color=SOFT)
+        sheet.paragraph([head, *middle], x0, y0 + tall + SMALL + 1.8, SMALL, color=SOFT)
 
-    return Chunk([Atom(tall + SMALL + 3.0, draw, 4.0)], head)
+    return Chunk([Atom(tall + SMALL + 3.0 + SMALL * LEADING * len(middle), draw, 4.0)], head)
+
+
+def _middles(book: Book, spots: Spots, host: int, wanted: set[int]) -> str:
+    """At which stitch the middle of the front is, on the first and the last of the rounds that something is counted on."""
+    rounds = {
+        spots.numbers[k]: k
+        for k, r in enumerate(spots.built.rounds)
+        if r.part == host and not r.aside and len(spots.stitches(k)) > _AROUND
+    }
+    of = [n for n in sorted(wanted) if n in rounds]
+    places = []
+    for n in dict.fromkeys((*of[:1], *of[-1:])):
+        at = spots.front(rounds[n]) + 1.0
+        many, whole = len(spots.stitches(rounds[n])), abs(at - round(at)) < 0.25
+        s = ((round(at) if whole else int(at)) - 1) % many + 1
+        of_round, between = book.own["middle of round"], book.own["middle between"]
+        places.append((of_round if whole else between).format(n=n, s=s, s2=s % many + 1))
+    said = book.own["middle at"].format(places="; ".join(places)) if places else ""
+    return f"{said[:1].upper()}{said[1:]}"
 
 
 def _evened(spots: Spots, host: int, x: Array) -> Array:
@@ -213,23 +251,32 @@ def _rounds(spots: Spots, host: int, flat: Array, ahead: Array, level: bool) -> 
     return lines, numbers
 
 
-def _spaced(numbers: dict[int, Array], wanted: set[int]) -> list[tuple[int, Array]]:
-    """The numbers that find room above each other: those that are ``wanted``, then fives, then the others."""
-    made: list[tuple[int, Array]] = []
-    for n in sorted(numbers, key=lambda n: (n not in wanted, n % 5 != 0, n)):
-        if all(abs(float(numbers[n][1] - spot[1])) >= _NUMBER for _, spot in made):
-            made.append((n, numbers[n]))
+def _spaced(numbers: dict[int, Array], wanted: set[int]) -> list[tuple[int, Array, float]]:
+    """The numbers that find room above each other, with the heights that they stand at: those that are ``wanted``, all of them, moved apart
+    where rounds lie closer than type; then fives, then the others."""
+    first = sorted((n for n in numbers if n in wanted), key=lambda n: float(numbers[n][1]))
+    high = np.array([float(numbers[n][1]) for n in first])
+    for _ in range(100):  # neighbours that are too near share the way that they are moved
+        short = np.maximum(_NUMBER - np.diff(high), 0.0)
+        if not (short > 1e-3).any():
+            break
+        high[:-1] -= 0.5 * short
+        high[1:] += 0.5 * short
+    made = [(n, numbers[n], float(y)) for n, y in zip(first, high)]
+    for n in sorted(set(numbers) - wanted, key=lambda n: (n % 5 != 0, n)):
+        if all(abs(float(numbers[n][1]) - y) >= _NUMBER for *_, y in made):
+            made.append((n, numbers[n], float(numbers[n][1])))
     return made
 
 
-def _middle(sheet: Page, spots: Spots, host: int, flat: Array, ahead: Array) -> None:
-    """The middle of the front, a dashed line from round to round."""
+def _middle(sheet: Page, spots: Spots, host: int, flat: Array, ahead: Array, on: float) -> None:
+    """The middle of the front, or what is so much of a round ``on`` from it, a dashed line from round to round."""
     line = list[Array]()
     for k, r in enumerate(spots.built.rounds):
         nodes = spots.stitches(k)
         if r.part != host or r.aside or len(nodes) < 3:
             continue
-        i, share = divmod(spots.front(k), 1.0)
+        i, share = divmod(spots.front(k) + on * len(nodes), 1.0)
         a, b = (int(nodes[int(i + j) % len(nodes)]) for j in (0, 1))
         if ahead[a] and ahead[b]:
             line.append((1.0 - share) * flat[a] + share * flat[b])
@@ -243,15 +290,29 @@ def _sewn(sheet: Page, mark: _Mark, points: Array) -> None:
         sheet.circles(points, 1.3, mark.color, INK)
         return
     if mark.ring:
-        ring = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
+        ring = _rounded(shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points))))
         sheet.shape(ring, (*mark.color, 150), None)
         sheet.shape(ring, None, INK, 0.35)
         return
     x, y = (points - points.mean(0)).T
     along = 0.5 * atan2(2.0 * float((x * y).sum()), float((x * x - y * y).sum()))
-    line = points[np.argsort(x * cos(along) + y * sin(along), kind="stable")]
+    # Stitches of two rounds, one side of the end on each, are one seam: the bow between them.
+    way, off = x * cos(along) + y * sin(along), y * cos(along) - x * sin(along)
+    bend = np.polyfit(way, off, 2 if len(np.unique(way)) > _BOW else 0)
+    t = np.linspace(way.min(), way.max(), 12)
+    bow = np.polyval(bend, t)
+    line = points.mean(0) + np.stack([t * cos(along) - bow * sin(along), t * sin(along) + bow * cos(along)], axis=1)
     sheet.shape(line, None, INK, 1.6)
     sheet.shape(line, None, mark.color, 1.0)
+
+
+def _rounded(ring: Array) -> Array:
+    """A closed line (P, 2), its corners cut, and what is left of them again (Chaikin 1974)."""
+    line = ring[:-1]
+    for _ in range(_CUTS):
+        after = np.roll(line, -1, axis=0)
+        line = np.stack([0.75 * line + 0.25 * after, 0.25 * line + 0.75 * after], axis=1).reshape(-1, 2)
+    return np.concatenate([line, line[:1]])
 
 
 def _names(sheet: Page, named: Sequence[tuple[str, Array]], x: float, room: float, y: float, tall: float) -> None:
