@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -208,6 +209,11 @@ def _says(p: State, line: Line, clause: list[Token]) -> bool:
     hooked = any(t.kind == "key" and t.value == "hook" for t in clause)
     if hooked and not any(t.value in ("from", "ch") or t.word in _QUIET for t in clause):
         return True  # "with smaller hook"
+    if any(t.value == "join" for t in clause) and any(
+        a.kind == "ordinal" and a.value != 1 and (b.kind == "stitch" or b.value == "stitch")
+        for a, b in pairwise(clause)
+    ):
+        return True  # "Join A with sl st to 9th sc of last rnd"
     works = line.again is not None or any(t.kind == "stitch" or t.kind == "number" for t in clause)
     for token in clause:
         if token.kind != "word" or len(token.word) <= _SMALL or token.word in _QUIET or not token.word.isalpha():

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from typing import Final
 
+from tambour.crochet.printed.gaps import spaced
 from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
@@ -138,6 +139,6 @@ def _numbered(tokens: list[Token]) -> list[Token]:
 def _row(row: Row) -> Row:
     tokens = row.tokens
     flat = any(t.word in _ROWS for t in tokens[:6])
-    tokens = _numbered(tokens)
+    tokens = spaced(_numbered(tokens))
     tokens = reworded(tokens, ((_AS, "as {1} row" if flat else "as {1} round"), *_IDIOMS))
     return row if tokens is row.tokens else replace(row, tokens=tokens)

@@ -1,0 +1,46 @@
+"""Printed patterns, gaps: spaces that are said by what is about them: between stitches, at a corner, in a chain joined to its first."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.crochet.printed.reworded import reworded
+from tambour.crochet.printed.tokens import Token
+
+_ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
+_SPS: Final = "(?:sps?|spaces?)"
+_EACH: Final = rf"in(?:to)? (?:(?:the )?{_SPS} between (?:each|every)(?: (?:2|two))?|(?:each|every) {_SPS} between(?: the)?) ({_ST})"
+_END: Final = r"(?: across| to (?:the )?end(?: of (?:the )?row)?)?"
+
+_IN_ROWS: Final = (
+    # between the ten stitches of a row are nine spaces
+    (re.compile(rf"(?<![2-9] sc )(?<![2-9] hdc )(?<![2-9] dc ){_EACH}{_END}(?= [.;:(\[–—-]| ?$| , (?:and )?turn)"), "in each {1} to last {1} , skip last {1}"),
+)  # fmt: skip
+_AROUND: Final = ((re.compile(_EACH), "in each {1}"),)
+_RINGS: Final = (
+    (
+        re.compile(r"((?:with|using) \w+(?: \w+)? , (?:ch|chain) \d+) [;,.] (?:sl st|slip st|slip stitch|ss) (?:to|in|into) (?:the )?(?:first|1st) (?:ch|chain)(?= [.,;]| ?$)"),
+        "{1} ; join with sl st to form ring",
+    ),
+)  # fmt: skip
+_OF: Final = re.compile(rf"\bcorner (?:ch|chain) - (\d+) {_SPS}(?!\S)")
+_TO_CORNER: Final = rf"to (?:the )?(?:next )?corner(?: {_SPS})?(?= ,)"
+
+
+def spaced(tokens: list[Token]) -> list[Token]:
+    """``tokens`` of a line with such spaces put as the rest is read: by their stitches, by their chains, as a ring."""
+    said = {t.word for t in tokens}
+    if "between" in said:
+        flat = bool({"row", "rows"} & {t.word for t in tokens[:6]})
+        tokens = reworded(tokens, _IN_ROWS if flat else _AROUND)
+    if "corner" in said:
+        sizes = set(_OF.findall(" ".join(t.word for t in tokens)))
+        if len(sizes) == 1:  # "*sc in each dc to next corner, 3 sc in corner ch-2 sp"
+            (size,) = sizes
+            to_next = (re.compile(_TO_CORNER), f"to next ch - {size} sp")
+            there = (re.compile(rf"in (?:the )?(?:next )?corner {_SPS}(?!\S)"), f"in next corner ch - {size} sp")
+            tokens = reworded(tokens, (to_next, there))
+    if "ch" in said or "chain" in said:
+        tokens = reworded(tokens, _RINGS)
+    return tokens
