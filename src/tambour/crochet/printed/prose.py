@@ -116,6 +116,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if p.mode == "abbreviations" and (mine := own_stitch(tokens)) is not None:
         for spelling in mine[0]:
             p.vocabulary.define(spelling, mine[1])
+        _nearest(p, mine[0][0], mine[1], whole)
         p.passed.append(whole)
         return
     if _defines(tokens):
@@ -229,6 +230,19 @@ def _defines(tokens: list[Token]) -> bool:
         return False
     said = [t for t in (plain[0], plain[2]) if t.kind in ("stitch", "key")]
     return len(said) == 2 and said[0].value == said[1].value and said[0].word != said[1].word
+
+
+_PLAIN: Final = ("sc", "hdc", "dc", "tr")
+
+
+def _nearest(p: State, name: str, kind: str, span: Span) -> None:
+    """Tells of a stitch of the pattern's own that is worked and drawn as a usual one, where the text has it: "cross sc" as sc."""
+    if "-" not in name or not (kind in _PLAIN or kind.startswith("dec")):
+        return
+    said = re.compile(rf"\b{re.escape(name).replace(re.escape('-'), '[- ]')}", re.IGNORECASE)
+    if len(said.findall(p.source.text.text)) > 1:
+        shown = TERMS[p.language.code].word(kind)
+        p.source.doubt(f"approximated: {name.replace('-', ' ')}", f"it is worked and drawn as {shown}", span)
 
 
 def _hooked(p: State, tokens: list[Token]) -> bool:
