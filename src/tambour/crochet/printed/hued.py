@@ -52,6 +52,7 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
     if make is None or not make or any(t.kind == "stitch" for t in tokens):
         return tokens, ()
     c, at, found, plain = Cursor(tokens), make + 1, list[Hue](), False
+    versions = any(t.value == "for" or t.word == "for" for t in tokens)  # "1 with A and 1 with B for Cat" are a pair
     total = tokens[at] if at < len(tokens) and tokens[at].kind == "number" else None
     if total is not None and at + 1 < len(tokens) and tokens[at + 1].word in (":", "-", ",", "("):
         at += 2
@@ -65,7 +66,7 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
             continue
         led = at < len(tokens) and tokens[at].word in _LED
         at += led
-        shade = p.palette.color(c, at) or (p.palette.letter(c, at) if led else None)
+        shade = p.palette.color(c, at) or (p.palette.letter(c, at) if led and not versions else None)
         if shade is None and total is not None:  # "make 5: 3 large, 2 small"
             end = next((k for k in range(at, len(tokens)) if tokens[k].word in _BETWEEN or tokens[k].word in ")]"), at)
             shade, plain = ((0, 0, 0), end - at), True
