@@ -83,8 +83,9 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
         return _sparing(wanted, 0.0, 0.0)
     most, most_odd = CHANGES * (1.5 - plain), max(1.0, ODD * uneven(plain) * len(wanted))
     price, hard = 0.1 * plain, UNEVEN * plain
+    known: dict[tuple[int, int, int], float] = {}
     while True:
-        made = _sparing(wanted, price, hard)
+        made = _sparing(wanted, price, hard, known)
         changes = [(a, b) for a, b in pairwise(made) if a != b]
         many, odd = len(changes) > most, sum(math.gcd(a, b) < 2 for a, b in changes) > most_odd
         if not (many or odd) or max(price, hard) > 1e3:
@@ -92,14 +93,23 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
         price, hard = 1.5 * price + 0.02 if many else price, 1.5 * hard if odd else hard
 
 
-def _sparing(wanted: Sequence[float], price: float, hard: float) -> list[int]:
-    """The counts where every change costs ``price``, and one that cannot be a repeat ``hard`` more."""
+def _sparing(
+    wanted: Sequence[float], price: float, hard: float, known: dict[tuple[int, int, int], float] | None = None
+) -> list[int]:
+    """The counts where every change costs ``price``, and one that cannot be a repeat ``hard`` more. known : what pairs of counts are off by, kept
+    for other prices."""
     goal = _goal(wanted)
+    known = {} if known is None else known
+
+    def off(k: int, before: int, n: int) -> float:
+        both = 0.5 * (n - goal[k] + before - goal[k - 1])
+        return (0.3 * (n - goal[k]) ** 2 + both * both) / (0.6 + 0.02 * goal[k])
 
     def change(k: int, before: int, n: int) -> float:
-        both = 0.5 * (n - goal[k] + before - goal[k - 1])
-        off = (0.3 * (n - goal[k]) ** 2 + both * both) / (0.6 + 0.02 * goal[k])
-        return off + (0.0 if n == before else price + hard * (math.gcd(before, n - before) < 2))
+        at = k, before, n
+        if at not in known:
+            known[at] = off(*at)
+        return known[at] + (0.0 if n == before else price + hard * (math.gcd(before, n - before) < 2))
 
     def own(k: int, n: int) -> float:
         return 0.0 if k else (n - goal[0]) ** 2 + (0.0 if n == 6 else 0.5)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Final
 
 from tambour.core.errors import Text
@@ -106,12 +107,18 @@ def even(below: int, wanted: int, turn: float = 0.0) -> Round:
     return Round(("dec3",) * threes + ("dec",) * twos + ("sc",) * rest)
 
 
-def text(parts: Iterable[Rounds], finish: Sequence[str] = (), name: str = "pattern", lead: Sequence[str] = ()) -> Text:
-    """The pattern of ``parts`` in tambour's own language, every stitch written out; ``finish``: lines such as
-    ``place(Ear.1, Head, round=7, stitch=12)``; ``lead``: comments that it begins with."""
+def text(
+    parts: Iterable[Rounds],
+    finish: Sequence[str] = (),
+    name: str = "pattern",
+    lead: Sequence[str] = (),
+    brief: bool = False,
+) -> Text:
+    """The pattern of ``parts`` in tambour's own language, every stitch written out, or ``brief``: equal ones in a row as a number
+    of them; ``finish``: lines such as ``place(Ear.1, Head, round=7, stitch=12)``; ``lead``: comments that it begins with."""
     blocks = ["\n".join(f"# {line}" for line in lead)] if lead else []
     parts = list(parts)
-    blocks += ["\n".join(_lines(part)) for part in parts]
+    blocks += ["\n".join(_lines(part, brief)) for part in parts]
     if finish := [*(line for part in parts for line in _pulled(part)), *finish]:
         blocks.append("\n".join(finish))
     return Text("\n\n".join(blocks) + "\n", name)
@@ -121,7 +128,9 @@ def pattern(parts: Iterable[Rounds], finish: Sequence[str] = (), name: str = "pa
     """The same as a tree. TambourError where a round does not fit the one below."""
     from tambour.crochet.language.parse import parse
 
-    return parse(text(parts, finish, name), max_stitches=5_000_000)
+    return parse(
+        text(parts, finish, name, brief=True), max_stitches=5_000_000
+    )  # of few words, for it is read again and again
 
 
 def printed(
@@ -145,7 +154,7 @@ def _pulled(part: Rounds) -> list[str]:
     ]
 
 
-def _lines(part: Rounds) -> list[str]:
+def _lines(part: Rounds, brief: bool = False) -> list[str]:
     copies = f" (make {part.copies})" if part.copies > 1 else ""
     made = [f"== {part.name}{copies} =="]
     if part.stuffing:
@@ -167,6 +176,9 @@ def _lines(part: Rounds) -> list[str]:
                 now = one.colors[k]
                 said.append(f"color({hexed(now)})")
             said.append(word)
+        if brief:
+            runs = [(word, len(list(run))) for word, run in groupby(said)]
+            said = [word if many == 1 else f"{many} {word}" for word, many in runs]
         made.append(f"R{number}: {', '.join(said)}")
     if part.closed:
         made.append("FO")
