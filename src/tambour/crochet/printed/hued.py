@@ -77,7 +77,8 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
         while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value in ("yarn", "and", "make")):
             at += 1
     many = sum(hue.count for hue in found)
-    if len(found) < 2 or not 2 <= many <= _MANY or (total is not None and total.value != many):
+    pair = all(hue.count == 1 for hue in found) and not any(p.palette.name(hue.words) for hue in found)
+    if pair or len(found) < 2 or not 2 <= many <= _MANY or (total is not None and total.value != many):
         return tokens, ()
     number = replace(tokens[make + 1], word=str(many), value=many)
     return [*tokens[: make + 1], number, *tokens[at:]], () if plain else tuple(found)
