@@ -13,7 +13,8 @@ from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.page.book import Book
-from tambour.crochet.page.placement import _NUMBER, _middles, _share, _sides, _spaced, placement
+from tambour.crochet.page.middle import marked, middles
+from tambour.crochet.page.placement import _NUMBER, _share, _sides, _spaced, placement
 from tambour.crochet.page.placement import _marks as marks_of
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
@@ -138,5 +139,7 @@ def test_the_middle_of_the_front_is_told_by_its_stitch() -> None:
     """Eyes between 13 and 14, and between 25 and 26, have their middle between 19 and 20."""
     whale = book((Path(__file__).parent / "data" / "shop" / "whale.txt").read_text(encoding="utf-8"))
     spots = Spots(whale.piece.built)
-    said = _middles(whale, spots, spots.parts["BELLY AND BODY"], {9})
-    assert said == "Middle of the front: Rnd 9, between st 19 and 20"
+    assert middles(whale, spots, spots.parts["BELLY AND BODY"], {9}) == {9: "Rnd 9, between st 19 and 20"}
+    block = whale.said.blocks[0]
+    said = [row.words for row in marked(whale, block, list(block.lines)) if row.ours]
+    assert "Mark the middle of the front: Rnd 12, between st 19 and 20." in said

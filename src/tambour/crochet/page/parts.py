@@ -13,6 +13,7 @@ from tambour.crochet.page.assembly import DOTS
 from tambour.crochet.page.begin import heading, photo
 from tambour.crochet.page.book import OWN, Book, cropped
 from tambour.crochet.page.flow import Atom, Chunk, plan, together
+from tambour.crochet.page.middle import marked
 from tambour.crochet.page.pictures import of_parts
 from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SMALL, SOFT, width_of, wrap
@@ -103,7 +104,7 @@ def _hers_of(book: Book, block: PartText) -> list[Picture]:
 
 
 def _rows(book: Book, block: PartText, width: float) -> list[Atom]:
-    rows = _explained(book, block, with_hers(book, block))
+    rows = _explained(book, block, marked(book, block, with_hers(book, block)))
     labelled = [row for row in rows if row.label]
     label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.8
     count = max((width_of(f"({row.count})", BODY, True) for row in labelled if row.count), default=0.0) + 2.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, ceil, cos, pi, sin
+from math import atan2, cos, pi, sin
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -19,6 +19,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.page.begin import paragraph
 from tambour.crochet.page.flow import Atom, Chunk
+from tambour.crochet.page.middle import middles, named
 from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.geometry.motion import dot, turned
 from tambour.geometry.surface import vertex_normals
@@ -46,8 +47,6 @@ _HIGH: Final = 38.0
 """How high a chart is at the most, mm."""
 _LEAST: Final = (4, 18)
 """A part of fewer rounds, or of fewer stitches in the longest, needs no chart: there is little to count."""
-_AROUND: Final = 8
-"""On a round of so few stitches no middle is counted."""
 _EVEN: Final = 3
 """How often stitches are moved between their neighbours."""
 _CUTS: Final = 3
@@ -123,11 +122,9 @@ def _marks(book: Book, spots: Spots, host: int, normals: Array) -> list[_Mark]:
         r, g, b = (int(v) for v in np.median(graph.color[graph.part == part], axis=0))
         rounds = tuple(sorted({number[n] for n in held.tolist() if n in number}))
         end = end_of(built, spots, record)
-        at_round = float(record.spot.round)
-        named = {int(at_round), ceil(at_round), *book.taken.rounds(record)}
         made.append(
             _Mark(
-                book.called(name), x[held], normals[held], (r, g, b), end.ring or end.laid, rounds, tuple(sorted(named))
+                book.called(name), x[held], normals[held], (r, g, b), end.ring or end.laid, rounds, named(book, record)
             )
         )
     return made
@@ -181,7 +178,9 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
     wanted = {n for mark in shown for n in mark.named or (*mark.rounds[:1], *mark.rounds[-1:])}
     name = built.pattern.parts[built.parts[host].section].name
     head = f"{book.called(name)}, {book.own[side]}"
-    middle = wrap(_middles(book, spots, host, wanted), SMALL, width)
+    places = "; ".join(middles(book, spots, host, wanted).values())
+    said = book.own["middle at"].format(places=places) if places else ""
+    middle = wrap(f"{said[:1].upper()}{said[1:]}", SMALL, width)
 
     def draw(sheet: Page, x0: float, y0: float) -> None:
         at = np.array([x0, y0])
@@ -201,25 +200,6 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
         sheet.paragraph([head, *middle], x0, y0 + tall + SMALL + 1.8, SMALL, color=SOFT)
 
     return Chunk([Atom(tall + SMALL + 3.0 + SMALL * LEADING * len(middle), draw, 4.0)], head)
-
-
-def _middles(book: Book, spots: Spots, host: int, wanted: set[int]) -> str:
-    """At which stitch the middle of the front is, on the first and the last of the rounds that something is counted on."""
-    rounds = {
-        spots.numbers[k]: k
-        for k, r in enumerate(spots.built.rounds)
-        if r.part == host and not r.aside and len(spots.stitches(k)) > _AROUND
-    }
-    of = [n for n in sorted(wanted) if n in rounds]
-    places = []
-    for n in dict.fromkeys((*of[:1], *of[-1:])):
-        at = spots.front(rounds[n]) + 1.0
-        many, whole = len(spots.stitches(rounds[n])), abs(at - round(at)) < 0.25
-        s = ((round(at) if whole else int(at)) - 1) % many + 1
-        of_round, between = book.own["middle of round"], book.own["middle between"]
-        places.append((of_round if whole else between).format(n=n, s=s, s2=s % many + 1))
-    said = book.own["middle at"].format(places="; ".join(places)) if places else ""
-    return f"{said[:1].upper()}{said[1:]}"
 
 
 def _evened(spots: Spots, host: int, x: Array) -> Array:
