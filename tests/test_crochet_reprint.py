@@ -107,3 +107,38 @@ def test_a_bullet_before_a_round_is_a_bullet(bullet):
     text = f"BODY\n{bullet} Rnd 1: 6 sc in magic ring (6)\n{bullet} Rnd 2: 6 inc (12)\n"
     pattern = read(Text(text, "listed.txt"))
     assert [line.number for line in pattern.parts[0].lines] == [1, 2] and not pattern.unread
+
+
+def test_yarns_keep_the_letters_that_she_gives_them():
+    """Her sentences go on saying C, whichever yarn is taken up first."""
+    text = (
+        "Rug\n\nABBREVIATIONS\nA, B, and C = Color A, Color B, and Color C\nch = chain\n\nRUG\nWith C, ch 7.\n"
+        "Row 1: Sc in 2nd ch from hook and in each ch across; turn - 6 sc.\nRow 2: With B, ch 1, sc in each sc across; turn.\n"
+        "Row 3: With A, ch 1, sc in each sc across; turn.\nCut a fringe of C.\n"
+    )
+    piece = make(Text(text, "rug.txt"), CrochetParams(solver="none"), Progress())
+    said = plain(piece).text
+    assert list(piece.built.pattern.letters) == ["C", "B", "A"]
+    assert "Use color C" in said and "Row 2: change to color B" in said and "Row 3: change to color A" in said
+    assert "A, B, and C = Color A, Color B, and Color C" in said and "\n- C = " not in said
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "Fasten off, leaving a long tail for sewing.",
+        "Fasten off leaving a long end.",
+        "Fasten off.",
+        'Join. Fasten off, leaving a 12" tail.',
+        "Sl st in next sc. Fasten off leaving a long end for sewing.",
+    ],
+)
+def test_a_piece_is_fastened_off(end):
+    """It vanished wherever it stood in the last round's own line."""
+    tail = "TAIL\nRound 1: 6 sc in magic ring.\nRounds 2-5: Sc in each sc."
+    for between in (" ", "\n"):
+        text = f"Cat\n\nEAR (make 2)\nRound 1: 6 sc in magic ring - 6 sc.\n\n{tail}{between}{end}\n"
+        said = plain(make(Text(text, "cat.txt"), CrochetParams(solver="none"), Progress())).text
+        words = end[end.index("Fasten") :]
+        assert said.count(words) == 1 and said.lower().count("long tail") <= 1
+        assert said.index("Rnd 2-") < said.index(words)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from tambour.core.errors import Problem, Span, Text
+from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.stitches import Stitch
 
@@ -209,6 +210,7 @@ class Pattern:
         that are no part of the tree
     whole : the text for all its sizes, of which ``text`` is one; None where it is for one
     worn : the clothes that its toys wear, the innermost first; toys : the parts of each of several toys, by name, where it makes such
+    letters : the letters that it gives its yarns ("MC", "A") → their colours
     built : the same parts worked already (:class:`tambour.crochet.graph.build.Built`), where reading them took that
     """
 
@@ -227,6 +229,7 @@ class Pattern:
     whole: Text | None = None
     worn: tuple[Worn, ...] = ()
     toys: tuple[tuple[str, ...], ...] = ()
+    letters: Mapping[str, RGB] = field(default_factory=dict)
     built: object = field(default=None, compare=False, repr=False)
 
     @property

@@ -104,6 +104,12 @@ _TERM: Final = re.compile(
     r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*"
     r"(?=[;|\n]|,[ \t]*[\w./()]{1,10}[ \t]*=|$)"
 )
+_YARNS_AS: Final = re.compile(r"\bmake \d+ (?:using|with) \S+ as colou?r\b", re.IGNORECASE)
+"""A heading that also says in which yarns: "Motif 1: Make 6 using A as Color 1; B as Color 2"."""
+_SEVERAL: Final = re.compile(
+    r"(?P<said>[A-Z]{1,2}(?:(?:, ?| & |,? and )[A-Z]{1,2})+)[ \t]*=[ \t]*(?P<meaning>[^=;|\n]{2,90})"
+)
+"""Letters that mean yarns, in one: "A, B, C = color A, B, C"."""
 _LENGTH: Final = r"\d+(?:[.,]\d+)?\s*-?\s*(?:cm|inch(?:es)?|in\b|[\"”″])"
 _TALL: Final = re.compile(
     rf"(?:(?:about|approx\.?|approximately|around|ca\.?|roughly)\s+)?{_LENGTH}(?:\s*[(/]\s*{_LENGTH}\s*\)?)?\s*(?:tall|high|long|in height)\b"
@@ -206,8 +212,9 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
         for words, span in _sentences(text, a, b):
             if any(_told(span, step) for step in stepped):
                 continue  # a step of the assembly says it
-            if not any(c.start < span.end and span.start < c.end for c in named if a in heads) and not any(
-                c.start < span.end and span.start < c.end for c in covered
+            if _YARNS_AS.search(words) or (
+                not any(c.start < span.end and span.start < c.end for c in named if a in heads)
+                and not any(c.start < span.end and span.start < c.end for c in covered)
             ):
                 made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
             else:
@@ -280,7 +287,13 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
             ]
             made.intro += [" ".join(said)] if said else []
         if mode == "terms":
-            made.terms |= {m["said"]: m["meaning"].strip() for m in _TERM.finditer(_BULLET.sub("", line))}
+            plain = _BULLET.sub("", line)
+            several = _SEVERAL.fullmatch(plain.strip())
+            made.terms |= (
+                {several["said"]: several["meaning"].strip()}
+                if several is not None
+                else {m["said"]: m["meaning"].strip() for m in _TERM.finditer(plain)}
+            )
 
 
 def _lists(lines: list[tuple[int, int, str]]) -> set[int]:

@@ -34,6 +34,8 @@ _STUFFS = re.compile(
     r"\bstuff(?!ing\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill\b"
 )
 """How a designer says that something is stuffed; "weigh your stuffing" does not."""
+_FASTENS = re.compile(r"\b(?:fasten|finish|bind|tie) off\b[^.;\n]*", re.IGNORECASE)
+"""How she says that a piece is done, up to the end of the sentence."""
 _ROUND = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)\.?\s*(\d+)(?:\s*[-–]\s*(?:r)?(\d+))?", re.IGNORECASE | re.MULTILINE)
 _WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 
@@ -309,7 +311,25 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         rows.insert(at, Row("", eyes_now(book.own, [hers.rstrip(".") + "."] if hers else book.spoken(eyes))))
         if hers and (apart := book.taken.eyes(eyes)):
             rows.insert(at + 1, Row("", apart, ours=True))
-    return rows
+    return _fastened(book, block, rows)
+
+
+def _fastened(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
+    """The lines of a part with her word that it is fastened off, where it stands behind its last round: an open end is no stitch of
+    the round, and goes with it."""
+    lines = book.piece.built.pattern.parts[block.section].lines if book.hers is not None and block.section >= 0 else ()
+    last = next((k for k in range(len(rows) - 1, -1, -1) if rows[k].label), -1)
+    if not lines or last < 0 or block.span is not None or any(_FASTENS.search(row.words) for row in rows[last:]):
+        return rows
+    text, start = book.piece.built.pattern.text.text, lines[-1].span.start
+    end = text.find("\n", lines[-1].span.end - 1)
+    found = _FASTENS.search(text, start, len(text) if end < 0 else end)
+    if found is None:
+        return rows
+    words = " ".join(found[0].split())
+    said = f"{words[:1].upper()}{words[1:]}."
+    rest = [row for row in rows[last + 1 :] if not (_noted(row) and row.words.strip("*.").lower() in said.lower())]
+    return [*rows[: last + 1], Row("", said), *rest]
 
 
 def _noted(row: Row) -> bool:

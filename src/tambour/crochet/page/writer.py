@@ -104,14 +104,15 @@ class Writer:
                 and record.color != type(record).__dataclass_fields__["color"].default
             ):
                 hues[record.color] = None
-        letters = {} if self.exact else _lettered(self.pattern.text.text)
+        hers = {hue: letter for letter, hue in reversed(self.pattern.letters.items())}
+        letters = {} if self.exact else hers | _lettered(self.pattern.text.text)
         free = (x for n in range(len(hues) + 1) for x in (f"{c}{n + 1 if n else ''}" for c in _LETTERS))
         made: dict[str, RGB] = {}
         for hue in hues:
             red, green, blue = hue
             if plain.shade(hue).startswith("#"):
-                hers = letters.get((red, green, blue), "")
-                letter = hers if hers and hers not in made else next(x for x in free if x not in letters.values())
+                own = letters.get((red, green, blue), "")
+                letter = own if own and own not in made else next(x for x in free if x not in letters.values())
                 made[letter] = (red, green, blue)
         return made
 

@@ -53,6 +53,10 @@ class Palette:
         owned = shade(words) if words.split()[-1:] and words.split()[-1] in self.owned else None
         return self.given.get(words) or self.foreign.get(words) or self._on_shelf(words) or said(words) or owned
 
+    def _only(self, word: str) -> RGB | None:
+        """The yarn of a list that has one for all its letters: "1 ball 9872 Llama"."""
+        return self.given.get("") if word in ("a", "mc") else None
+
     def _on_shelf(self, words: str) -> RGB | None:
         """The colour of the yarn that the list calls so, or of the only one whose name has these words: "grey" where "Light Grey" is."""
         words = words.replace("gray", "grey")
@@ -84,6 +88,12 @@ class Palette:
             hue = dyed(name)
             if hue is not None:
                 self.given.setdefault(letter, hue)
+
+    @property
+    def letters(self) -> dict[str, RGB]:
+        """The letters that the text gives its yarns, those without a colour of their own as they are shown."""
+        chosen = {w: self._only(w) or _SHADES[_index(w) % len(_SHADES)] for w in self.told if _lettered(w)}
+        return {word.upper(): hue for word, hue in (chosen | self.given).items() if _lettered(word)}
 
     @property
     def main(self) -> RGB | None:
@@ -157,9 +167,16 @@ class Palette:
             return None
         if word not in self.given:
             self.told.append(word)
-        index = LETTERS.index(word) if word in LETTERS else int(word)
-        only = self.given.get("") if word in ("a", "mc") else None  # "1 ball 9872 Llama", all its letters in one
-        return self.given.get(word) or only or _SHADES[index % len(_SHADES)], length
+        index = _index(word)
+        return self.given.get(word) or self._only(word) or _SHADES[index % len(_SHADES)], length
+
+
+def _lettered(word: str) -> bool:
+    return word in LETTERS or (word.isdigit() and len(word) == 1)
+
+
+def _index(word: str) -> int:
+    return LETTERS.index(word) if word in LETTERS else int(word)
 
 
 def spare(k: int) -> RGB:

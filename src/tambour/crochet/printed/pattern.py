@@ -152,6 +152,7 @@ class Printed(Headed):
             passed=tuple(self.passed),
             unread=tuple(sorted(self.unread, key=_place)),
             left_out=tuple(self.left_out),
+            letters=self.palette.letters,
             built=built,
         )
 
