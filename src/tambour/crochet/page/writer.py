@@ -104,7 +104,7 @@ class Writer:
                 and record.color != type(record).__dataclass_fields__["color"].default
             ):
                 hues[record.color] = None
-        hers = {hue: letter for letter, hue in reversed(self.pattern.letters.items())}
+        hers = {hue: letter for letter, hue in reversed(list(self.pattern.letters.items()))}
         letters = {} if self.exact else hers | _lettered(self.pattern.text.text)
         free = (x for n in range(len(hues) + 1) for x in (f"{c}{n + 1 if n else ''}" for c in _LETTERS))
         made: dict[str, RGB] = {}
