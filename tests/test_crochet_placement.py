@@ -143,3 +143,44 @@ def test_the_middle_of_the_front_is_told_by_its_stitch() -> None:
     block = whale.said.blocks[0]
     said = [row.words for row in marked(whale, block, list(block.lines)) if row.ours]
     assert "Mark the middle of the front: Rnd 12, between st 19 and 20." in said
+
+
+LYING = """Pip the Piglet
+
+BODY
+Begin at the nose, with pink.
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-16: sc around (24)
+Stuff.
+Rnd 17: (2 sc, dec) x 6 (18)
+Rnd 18: (sc, dec) x 6 (12)
+Rnd 19: dec x 6 (6)
+Fasten off.
+
+EARS (make 2)
+Rnd 1: 5 sc in MR (5)
+Rnd 2: sc around (5)
+
+LEGS (make 4)
+Rnd 1: 6 sc in MR (6)
+Rnds 2-3: sc around (6)
+
+FINISHING
+Sew the ears to the top of the body between rounds 6 and 7.
+Sew the legs to the underside of the body, two at round 8 and two at round 14.
+"""
+
+
+def test_of_what_lies_it_is_the_middle_of_the_top() -> None:
+    """Its rounds begin underneath, and what is opposite is no front."""
+    of = book(LYING)
+    assert of.piece.built.pattern.parts[0].lies
+    block = of.said.blocks[0]
+    said = [row.words for row in marked(of, block, list(block.lines)) if row.ours]
+    assert said and all(words.startswith("Mark the middle of the top: Rnd ") for words in said)
+    words = " ".join(drawn(of)[1])
+    assert "Middle of the top: Rnd 6" in words and "iddle of the front" not in words
+    assert "dashed" not in words  # from its side there is no such line

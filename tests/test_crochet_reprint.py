@@ -51,6 +51,7 @@ def reprint() -> str:
 @pytest.mark.parametrize(
     "said",
     [
+        "by Fern Lane",
         "He floats on his back.",
         "Two black beads, a scrap of felt.",
         "Stuff Body.",

@@ -12,7 +12,7 @@ from tambour.core.strands import Strands
 from tambour.crochet.finish.ground import Ground, unit
 from tambour.crochet.language.finishes import Hair
 from tambour.crochet.yarn.clearance import clear
-from tambour.crochet.yarn.loops import RATIO as RATIO
+from tambour.crochet.yarn.loops import RATIO
 from tambour.geometry import motion
 from tambour.noise import stream
 
@@ -31,6 +31,11 @@ LONGEST = 160
 def hangs(length: float, stitch: float) -> float:
     """How long, mm, the two ends of a strand cut to ``length`` are below its knot; stitch : the stitch's width."""
     return max(0.5 * (length - FOLD * RATIO * stitch), 0.2 * length)
+
+
+def cut(hangs: float, stitch: float) -> float:
+    """How long a strand is cut that hangs so far, mm: it is folded, and its loop is drawn through a stitch."""
+    return 2.0 * hangs + FOLD * RATIO * stitch
 
 
 def roots(ground: Ground, points: Array, count: int, thick: float) -> tuple[Array, Array]:

@@ -49,23 +49,23 @@ _GAP = 4.0
 def assembly(book: Book, frame: Array) -> list[Chunk]:
     """The steps: a picture each, what is new in full colour, and the sentences."""
     piece, width = book.piece, book.frame.width
-    # Eyes that are put in while the piece is open stand with the rounds.
-    found = [step for step in steps(piece) if not _eyes_only(book, step)]
+    said = _told(book)
+    found = [step for step, _ in said]
     placed = {k for step in found for k in step.fresh}
     beside = {k for k in range(len(piece.built.graph.parts)) if k not in book.album.all} - placed
     found = [replace(step, parts=tuple(k for k in step.parts if k not in beside)) for step in found]
     if not found:
         return []
     told = []
-    for step, said in zip(found, _sentences(book, found)):
+    for step, (_, sentences) in zip(found, said):
         # Long lists of points are set smaller.
-        size = BODY if max(map(len, said), default=0) < 160 else SMALL
+        size = BODY if max((len(words) for words, _ in sentences), default=0) < 160 else SMALL
         lines: list[Atom] = []
-        for sentence, notes in zip(said, _under(book, step, said)):
+        for sentence, notes in sentences:
             lines += paragraph(sentence, width, size, None, 0.9 if lines else 0.0)
             for note in notes:
                 lines += paragraph(f"› {note}", width, size, None, 0.9)
-        told.append((angle(piece, step.parts, step.fresh, " ".join(said)), lines))
+        told.append((angle(piece, step.parts, step.fresh, " ".join(words for words, _ in sentences)), lines))
     charts, tried = placement(book), []
     single = len(book.frame.lefts) == 1  # in a wide column lower ones are large enough
     for share in _SHARES[1:] if single else _SHARES[:-1]:
@@ -79,14 +79,19 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
 
 def steps_said(book: Book) -> list[tuple[str, list[str]]]:
     """The sentences of all steps, each with what is noted under it, or of it, as that the place is a guess."""
-    found, made = [step for step in steps(book.piece) if not _eyes_only(book, step)], list[tuple[str, list[str]]]()
-    for step, said in zip(found, _sentences(book, found)):
-        for words, notes in zip(said, _under(book, step, said)):
-            if words == book.own["guess"] and made:
-                made[-1] = (made[-1][0], [words, *made[-1][1], *notes])
-            else:
-                made.append((words, notes))
+    made = list[tuple[str, list[str]]]()
+    for words, notes in (line for _, said in _told(book) for line in said):
+        if words == book.own["guess"] and made:
+            made[-1] = (made[-1][0], [words, *made[-1][1], *notes])
+        else:
+            made.append((words, notes))
     return made
+
+
+def _told(book: Book) -> list[tuple[Step, list[tuple[str, list[str]]]]]:
+    """The steps, each with its sentences and what is noted under each; eyes that are put in while the piece is open stand with the rounds."""
+    found = [step for step in steps(book.piece) if not _eyes_only(book, step)]
+    return [(step, list(zip(said, _under(book, step, said)))) for step, said in zip(found, _sentences(book, found))]
 
 
 def _step(

@@ -51,12 +51,12 @@ def _text(made: Words, name: str) -> Text:
     """Words as a printed text."""
     word = made.terms.word
     lines = [f"# {made.title}", ""] if made.title else []
+    lines += [line for said in made.intro for line in (said, "")]
     if made.materials or made.colors:
         listed = [*made.materials, *(line for *_, line in made.colors)]
         lines += [f"## {word('materials')}", "", *(f"- {said}" for said in listed), ""]
     for key, said in (("gauge", made.gauge), ("finished size", made.size)):
         lines += [f"**{word(key)}:** {said}", ""] if said else []
-    lines += [line for said in made.intro for line in (said, "")]
     lines += [f"## {word('abbreviations')} ({made.named})", ""]
     lines += [*(f"- {said} = {meaning}" for said, meaning in made.abbreviations), ""]
     if made.special:

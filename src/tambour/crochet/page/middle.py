@@ -1,4 +1,4 @@
-"""The middle of the front, by its stitch: what a maker marks while she is on that round, and counts from when she sews on."""
+"""The middle of the front, of what lies the middle of the top, by its stitch: what a maker marks while she is on that round, and counts from when she sews on."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from math import ceil
 from typing import TYPE_CHECKING, Final
 
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Embroidery, Eye, Placed, spots_of
+from tambour.crochet.language.finishes import Embroidery, Finish, Placed, spots_of
 from tambour.crochet.page.ofmodel import of_model
 from tambour.crochet.page.wording import PartText, Row
 
@@ -20,14 +20,21 @@ _WHOLE: Final = 0.25
 """A middle so near to a stitch is on it; else it is between two."""
 
 
-def named(book: Book, record: Placed | Embroidery) -> tuple[int, ...]:
-    """The rounds by which a part's or a seam's place is told, in her words and in ours."""
+def named(book: Book, record: Finish) -> set[int]:
+    """The rounds by which the place of a part, of eyes or of a seam is told, in her words and in ours."""
     at = [float(spot.round) for spot in spots_of(record)]
-    return tuple(sorted({int(n) for n in at} | {ceil(n) for n in at} | set(book.taken.rounds(record))))
+    hers = book.taken.rounds(record) if isinstance(record, Placed | Embroidery) else ()
+    return {int(n) for n in at} | {ceil(n) for n in at} | set(hers)
+
+
+def lies(book: Book, part: int) -> bool:
+    """Whether a part of the graph lies, so that opposite of where its rounds begin is its top."""
+    built = book.piece.built
+    return built.pattern.parts[built.parts[part].section].lies
 
 
 def middles(book: Book, spots: Spots, host: int, wanted: Set[int]) -> dict[int, str]:
-    """Round → at which stitch of a part the middle of the front is, for the first and the last of the rounds that something is
+    """Round → at which stitch of a part the middle of the front is, or of the top of one that lies, for the first and the last of the rounds that something is
     counted on."""
     rounds = {
         spots.numbers[k]: k
@@ -56,13 +63,17 @@ def marked(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     wanted = {
         n
         for record in built.pattern.finish
-        if isinstance(record, Placed | Embroidery | Eye)
-        and any(s.part in (name, f"{name}.1") for s in spots_of(record))
-        for n in (named(book, record) if isinstance(record, Placed | Embroidery) else (int(record.spot.round),))
+        if any(s.part in (name, f"{name}.1") for s in spots_of(record))
+        for n in named(book, record)
     }
     made = list(rows)
     for n, place in sorted(middles(book, spots, block.part, wanted).items(), reverse=True):
         at = next((k for k, row in enumerate(made) if row.label and row.number >= n > row.number - row.times), None)
         if at is not None:
-            made.insert(at + 1, Row("", book.own["mark middle"].format(place=place), ours=True))
+            made.insert(
+                at + 1,
+                Row(
+                    "", book.own["mark top" if lies(book, block.part) else "mark middle"].format(place=place), ours=True
+                ),
+            )
     return made

@@ -19,7 +19,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.page.begin import paragraph
 from tambour.crochet.page.flow import Atom, Chunk
-from tambour.crochet.page.middle import middles, named
+from tambour.crochet.page.middle import lies, middles, named
 from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.geometry.motion import dot, turned
 from tambour.geometry.surface import vertex_normals
@@ -39,6 +39,8 @@ _VIEWS: Final = {
 """From where a part is drawn: azimuth and elevation, by the page's words; the front before all others."""
 _DASHED: Final = {"front": 0.0, "above": 0.0, "below": 0.0, "back": 0.5}
 """Sides on which a dashed line is the middle of the front, or so much of a round on from it."""
+_DASHED_TOP: Final = {"above": 0.0, "front": 0.0, "back": 0.0, "below": 0.5}
+"""The same of the middle of the top, of what lies."""
 _FACING: Final = 0.02
 """What faces the eye less than this, as a cosine, is behind the edge."""
 _SHOWN, _ENOUGH = 0.3, 0.45
@@ -77,7 +79,7 @@ def placement(book: Book) -> list[Chunk]:
     """A chart for every part in rounds that others are sewn to, from the one or two sides that show most of their seams; before the
     first what the charts mean."""
     built, x = book.piece.built, book.piece.positions
-    spots, made, done, dashed = Spots(built), list[Chunk](), set[int](), False
+    spots, made, done, dashed = Spots(built), list[Chunk](), set[int](), list[str]()
     for record in built.pattern.finish:
         host = spots.parts.get(record.spot.part, -1) if isinstance(record, Placed) else -1
         counts = [r.count for r in built.rounds if r.part == host and not r.aside]
@@ -88,10 +90,11 @@ def placement(book: Book) -> list[Chunk]:
         marks = _marks(book, spots, host, normals)
         if any(mark.name for mark in marks):
             sides = _sides(marks)
-            dashed = dashed or any(side in _DASHED for side in sides)
+            if any(side in _DASHED for side in sides):
+                dashed.append(book.own["placement top" if lies(book, host) else "placement middle"])
             made += [_chart(book, spots, host, side, marks, normals) for side in sides]
     if made:
-        said = [book.own["placement"], *([book.own["placement middle"]] if dashed else [])]
+        said = dict.fromkeys([book.own["placement"], *dashed])
         made[0].atoms[:0] = paragraph(" ".join(said), book.frame.width, BODY)
     return made
 
@@ -124,7 +127,13 @@ def _marks(book: Book, spots: Spots, host: int, normals: Array) -> list[_Mark]:
         end = end_of(built, spots, record)
         made.append(
             _Mark(
-                book.called(name), x[held], normals[held], (r, g, b), end.ring or end.laid, rounds, named(book, record)
+                book.called(name),
+                x[held],
+                normals[held],
+                (r, g, b),
+                end.ring or end.laid,
+                rounds,
+                tuple(sorted(named(book, record))),
             )
         )
     return made
@@ -179,7 +188,8 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
     name = built.pattern.parts[built.parts[host].section].name
     head = f"{book.called(name)}, {book.own[side]}"
     places = "; ".join(middles(book, spots, host, wanted).values())
-    said = book.own["middle at"].format(places=places) if places else ""
+    lying = lies(book, host)
+    said = book.own["top at" if lying else "middle at"].format(places=places) if places else ""
     middle = wrap(f"{said[:1].upper()}{said[1:]}", SMALL, width)
 
     def draw(sheet: Page, x0: float, y0: float) -> None:
@@ -189,7 +199,7 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
             sheet.shape(line + at, None, SOFT, 0.12)
         sheet.circles(np.concatenate(lines) + at, 0.3, SOFT)
         if side in _DASHED:
-            _middle(sheet, spots, host, flat + at, ahead, _DASHED[side])
+            _middle(sheet, spots, host, flat + at, ahead, (_DASHED_TOP if lying else _DASHED)[side])
         for mark in shown:
             _sewn(sheet, mark, on(mark.points) + at)
         for n, spot, high in _spaced(numbers, wanted):

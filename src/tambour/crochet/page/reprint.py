@@ -24,7 +24,7 @@ def reprinted(piece: Plush) -> Words | None:
     terms = tuple((said, meaning) for said, meaning in hers.terms.items() if said.lower() not in meant)
     return replace(
         made,
-        intro=tuple(hers.intro),
+        intro=(*([book.own["by"].format(name=book.designer)] if book.designer else []), *hers.intro),
         materials=tuple(hers.materials) or made.materials,
         abbreviations=(*made.abbreviations, *terms),
         parts=tuple(_part(book, part) for part in made.parts),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from tambour.core.errors import Span
-from tambour.crochet.finish.hair import FOLD, RATIO
+from tambour.crochet.finish.hair import cut
 from tambour.crochet.language.finishes import Hair, Spot
 from tambour.crochet.places.said import length
 from tambour.crochet.places.stand import Host
@@ -47,7 +47,9 @@ def bundles(toy: Assembly, lies: bool) -> list[Hair]:
         made += _bundle(toy, host, spot, tail[group], Span(tail.start(group), tail.end(group)))
         # What is said of it besides is said of no part.
         words = [(span, toy.text[span.start : span.end]) for span in toy.heard.lost]
-        toy.heard.lost[:] = [span for span, said in words if not re.search(r"\btail\b|\bbundle", said)]
+        toy.heard.lost[:] = [
+            span for span, said in words if not re.search(r"(?<!long )(?<!yarn )\btail\b|\bbundle", said)
+        ]
     hat = next((p for p in toy.parts if p.single and p.kind == "hat" and not p.worn), None)
     tip = _TIP.search(toy.text) if hat is not None else None
     if tip is not None and hat is not None:
@@ -72,6 +74,4 @@ def _bundle(toy: Assembly, host: Host, spot: Spot, words: str, span: Span) -> li
     spot = Spot(spot.part, spot.round, spot.stitch, span)
     toy.made.guessed.append(f"{'pompom' if pompom else 'tail of yarn'} on {host.name.split('.')[0]}")
     many = _TUFTS if pompom else _STRANDS
-    return [
-        Hair((spot,), many, round(2.0 * hangs + FOLD * RATIO * toy.stitch, 1), (color[0], color[1], color[2]), span)
-    ]
+    return [Hair((spot,), many, round(cut(hangs, toy.stitch), 1), (color[0], color[1], color[2]), span)]
