@@ -77,3 +77,31 @@ def test_the_stitch_that_yarn_is_joined_to_stands_beside_its_round(said: str) ->
     told = [words[q.span.start : q.span.end] for q in (*pattern.unread, *pattern.warnings) if q.span]
     notes = [words[n.start : n.end] for part in pattern.parts for line in part.lines for n in line.notes]
     assert any(said.split(" with")[0].split(" to")[0] in one for one in (*notes, *told)), (notes, told)
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        "Ch 16, join with sl st to form ring.",
+        "Ch 16, sl st to form a ring.",
+        "Ch-16, sl st in first ch to form ring.",
+        "Ch-16, slip st to make a ring.",
+    ],
+)
+@pytest.mark.parametrize(
+    "end", ["join.", "sl st top beg sc.", "sl st in top of beg sc.", "sl st to top of the first sc."]
+)
+def test_rings_and_rounds_are_joined_with_no_word_that_says_so(ring, end):
+    """A whole text of such lines held "no crochet instructions"."""
+    text = f"DRESS\n{ring}\nRnd 1: Ch-1, sc in ea ch around, {end} (16 sts)\nRnds 2-3: Ch-1, sc ea st around, {end}\n"
+    pattern = read(Text(text, "dress.txt"))
+    assert [r.count for r in build(pattern).rounds if r.number] == [16, 16, 16]
+    assert not pattern.unread
+
+
+@pytest.mark.parametrize("where", ["in next ch-1 sp", "in each ch-1 sp around", "in beg ch-1"])
+def test_a_chain_of_a_space_keeps_its_hyphen(where):
+    text = f"BAG\nRnd 1: 6 sc in magic ring (6)\nRnd 2: *Sc in next st, ch-1; rep from * around. (12)\nRnd 3: Sc {where}.\n"
+    one, other = (read(Text(t, "bag.txt")) for t in (text, text.replace("next st, ch-1;", "next st, ch 1;")))
+    assert [r.count for r in build(one).rounds] == [r.count for r in build(other).rounds]
+    assert len(one.unread) == len(other.unread)

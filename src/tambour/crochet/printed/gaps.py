@@ -1,4 +1,5 @@
-"""Printed patterns, gaps: spaces that are said by what is about them: between stitches, at a corner, in a chain joined to its first."""
+"""Printed patterns, gaps: spaces that are said by what is about them: between stitches, at a corner, in a chain joined to its first; and ends of
+rounds that are joined with no word that says so."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Token
 
 _ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
+_SL: Final = "(?:sl st|slip st|slip stitch|ss)"
 _SPS: Final = "(?:sps?|spaces?)"
 _EACH: Final = rf"in(?:to)? (?:(?:the )?{_SPS} between (?:each|every)(?: (?:2|two))?|(?:each|every) {_SPS} between(?: the)?) ({_ST})"
 _END: Final = r"(?: across| to (?:the )?end(?: of (?:the )?row)?)?"
@@ -23,7 +25,18 @@ _RINGS: Final = (
         re.compile(r"((?:with|using) \w+(?: \w+)? , (?:ch|chain) \d+) [;,.] (?:sl st|slip st|slip stitch|ss) (?:to|in|into) (?:the )?(?:first|1st) (?:ch|chain)(?= [.,;]| ?$)"),
         "{1} ; join with sl st to form ring",
     ),
+    (re.compile(rf"(?<!with )(?<!with a ){_SL}(?: (?:in|into|to) (?:the )?(?:first|1st|beg|beginning) (?:ch|chain))? to (?:form|make) (?:a )?(?:ring|circle)"), "join with sl st to form ring"),
 )  # fmt: skip
+# joined with no word that says so: "sl st top beg sc, ch-1, turn"
+_JOINED: Final = (
+    (re.compile(rf"(?<!with )(?<!with a ){_SL}(?: (?:in|into|to))?(?: the)? top(?: of)?(?: the)? (?:beg|beginning|first|1st) ({_ST})(?= [.,;:(]| ?$)"), "join with sl st to first {1}"),
+)  # fmt: skip
+_NO_CHAIN: Final = "".join(
+    f"(?<!{w} )"
+    for w in "in into of each next beg beginning first turning same last top every corner the to a over around between beg. this that st sts sp".split()
+)
+# a hyphen that stands for a blank where a chain is worked: "ch-1, turn"
+_HYPHENED: Final = ((re.compile(rf"{_NO_CHAIN}\bch - (\d+)(?= [,.;:]| ?$)"), "ch {1}"),)
 _OF: Final = re.compile(rf"\bcorner (?:ch|chain) - (\d+) {_SPS}(?!\S)")
 _TO_CORNER: Final = rf"to (?:the )?(?:next )?corner(?: {_SPS})?(?= ,)"
 
@@ -43,4 +56,8 @@ def spaced(tokens: list[Token]) -> list[Token]:
             tokens = reworded(tokens, (to_next, there))
     if "ch" in said or "chain" in said:
         tokens = reworded(tokens, _RINGS)
+    if "ch" in said and "-" in said:
+        tokens = reworded(tokens, _HYPHENED)
+    if "top" in said:
+        tokens = reworded(tokens, _JOINED)
     return tokens
