@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from math import radians
 from typing import Any
 
@@ -12,7 +13,7 @@ import numpy as np
 from tambour import run as runner
 from tambour.color import linear
 from tambour.core.mesh import Mesh
-from tambour.render import photo, raster, setting
+from tambour.render import photo, raster, room, tables
 from tambour.render.camera import THREE_QUARTER
 from tambour.render.tables import TABLES
 
@@ -120,7 +121,7 @@ def test_what_stands_beside_is_seen_soft_and_moves_nothing() -> None:
 def test_the_wall_shows_the_windows_light_on_its_far_side() -> None:
     """Aslant, out of focus, on the side that the window is not on; a sheet that bends up shows none."""
     for name, table in TABLES.items():
-        wall = setting.wall(120, 90, table).sum(2)
+        wall = room.wall(120, 90, replace(table, room=())).sum(2)
         assert wall.shape == (90, 120) and (wall > 0.0).all()
         steps = np.abs(np.diff(wall, axis=1))
         if table.wall is None:
@@ -129,6 +130,41 @@ def test_the_wall_shows_the_windows_light_on_its_far_side() -> None:
         right = steps[:40, 75:].max() > 2.0 * steps[:40, :45].max()
         assert right == (table.side > 0.0), name
         assert steps.max() < 0.2 * wall.mean()  # soft: no edge is drawn
+
+
+def test_a_wall_is_not_empty_and_far_out_of_focus() -> None:
+    """To both sides of the thing in the middle stands something of a room, on every wall something else, and none has an edge."""
+    seen = []
+    for name, table in TABLES.items():
+        if table.wall is None:
+            assert not table.room
+            continue
+        full, bare = room.wall(120, 90, table), room.wall(120, 90, replace(table, room=()))
+        off = np.abs(full - bare).max(2) > 0.06 * bare.mean()
+        assert min(off[:, :45].sum(), off[:, 75:].sum()) > 60, name
+        assert np.abs(np.diff(full, axis=1)).max() < 0.35 * bare.mean(), name
+        seen.append(off)
+        assert (full == room.wall(120, 90, table)).all()
+    assert all((a ^ b).sum() > 200 for k, a in enumerate(seen) for b in seen[:k])
+
+
+def test_pores_of_wood_stand_in_patches_and_are_not_alike() -> None:
+    """As many to each square, all as long and as dark, they looked stamped."""
+    for grain in ("wood", "painted"):
+        fine = tables.tile(grain)[1, : tables.SIDE]
+        strokes = fine > np.quantile(fine, 0.985)
+        each = strokes.reshape(16, 64, 16, 64).sum((1, 3))
+        assert each.std() > 0.57 * each.mean(), grain
+
+
+def test_linen_has_no_two_threads_alike() -> None:
+    """Threads of one width, straight from end to end, are a screen's pattern: along one thread's place another is met."""
+    fine = tables.tile("linen")[1, : tables.SIDE]
+    shift = tables.SIDE // tables.THREADS * 2
+    apart = [
+        np.corrcoef(fine[:, :128].ravel(), np.roll(fine, k * shift, 0)[:, :128].ravel())[0, 1] for k in (8, 16, 24)
+    ]
+    assert max(apart) < 0.5
 
 
 def test_a_thin_sheet_has_no_dark_halo_on_the_table() -> None:

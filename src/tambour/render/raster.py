@@ -20,7 +20,8 @@ from tambour.render.cover import cover, turn
 from tambour.render.fleece import fibres, tones
 from tambour.render.hair import hairs
 from tambour.render.light import Lights, floor_light, shine, studio, touched
-from tambour.render.setting import behind, plain, wall
+from tambour.render.room import wall
+from tambour.render.setting import behind, plain
 from tambour.render.shade import HAIRS, shade
 from tambour.render.tables import PLANK, TABLES, tile
 

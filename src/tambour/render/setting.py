@@ -10,7 +10,7 @@ from tambour.color import linear
 from tambour.core.arrays import F4x3, F8x1, F8x2, F8x3
 from tambour.core.check import Array
 from tambour.core.kernels import inner, kernel
-from tambour.render.tables import BOARD, LEVELS, NEARER, Table
+from tambour.render.tables import BOARD, LEVELS, NEARER
 
 
 def plain(height: int, color: tuple[int, int, int] | None) -> Array:
@@ -21,33 +21,10 @@ def plain(height: int, color: tuple[int, int, int] | None) -> Array:
     return np.asarray(linear(np.array([0.925, 0.915, 0.9]) * (1 - t) + np.array([0.855, 0.84, 0.82]) * t))
 
 
-def wall(width: int, height: int, table: Table) -> Array:
-    """Linear light (height, width, 3) of what stands behind a table, out of focus: brighter towards the window, and with the
-    window's light on it, pane by pane, where it has come across the room."""
-    from scipy.ndimage import gaussian_filter
-
-    color = linear(np.array(table.light if table.wall is None else table.wall))
-    y, x = np.linspace(0.0, 1.0, height)[:, None], np.linspace(0.0, 1.0, width)[None] - 0.5
-    if table.wall is None:
-        return np.asarray(color * (0.9 + 0.1 * y + 0.0 * x)[..., None])
-    # To the window's side.
-    s = -x if table.side > 0.0 else x
-    # The light falls aslant: what lies further from the window lies lower.
-    across, down = (-s - PANES[0]) / PANES[2], (y - PANES[1] - 0.35 * (-s - PANES[0])) / PANES[3] * height / width
-    panes = (abs(across) < 1.0) & (abs(down) < 1.0) & (abs(across) > 0.07) & (abs(abs(down) - 0.33) > 0.05)
-    lit = gaussian_filter(panes.astype(np.float64), HAZE * max(width, height), mode="nearest")
-    shade = 0.76 + 0.1 * y + 0.24 * np.clip(s + 0.5, 0.0, 1.0) ** 1.5
-    return np.asarray(color * shade[..., None] + LIT * lit[..., None] * color * np.array([1.06, 1.0, 0.9]))
-
-
-PANES = (0.20, 0.12, 0.26, 0.34)
-"""Where the window's light falls on the wall, from the picture's middle and top, and half of how wide and high it is, in the picture's width."""
 BEFORE = 1.33
 """What is nearer than the focus by more than this, as their ratio, is out of focus as well: the table before the thing."""
 TAPS = 4
 """Places over a pixel's height where the table is asked for its grain."""
-HAZE, LIT = 0.05, 0.22
-"""How far out of focus the wall is, as a share of the picture; how bright the window's light is on it, as a share of its colour."""
 
 
 @inner
