@@ -409,3 +409,14 @@ def test_the_local_pool_is_a_pool() -> None:
     pool: Pool = Local(1)
     pool.close()
     pool.close()
+
+
+@pytest.mark.parametrize("meanwhile", [0.0, 0.002, 0.004, 0.008])
+def test_a_pool_closed_while_its_workers_start_leaves_nothing_behind(meanwhile: float) -> None:
+    """Cancelled in the making of its pipes, a process was never told to have ended: its job waited, and so did the pool."""
+    pool = Local(2)
+    jobs = [pool.submit(Job("ink", {"span": 64.0}, ["a.svg"])) for _ in range(3)]
+    time.sleep(meanwhile)
+    pool.close()
+    assert [job.cancelled() for job in jobs] == [True] * 3
+    assert all(hand.process.returncode is not None for hand in pool._hands if hasattr(hand, "process"))

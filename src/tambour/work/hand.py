@@ -51,10 +51,19 @@ class Hand:
         self._tasks: list[asyncio.Task[None]] = []
 
     async def start(self) -> None:
-        """Start the process."""
+        """Start the process. Who is cancelled meanwhile still gets it, to close it: asyncio never tells the end of a process whose
+        pipes were cancelled in the making."""
         self.folder.mkdir(mode=0o700)
+        making = asyncio.create_task(self._begun())
+        try:
+            await asyncio.shield(making)
+        finally:
+            self.process = await making
+            self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._watch())]
+
+    async def _begun(self) -> asyncio.subprocess.Process:
         settings = {"TAMBOUR_THREADS": str(self.threads), "PYTHONUNBUFFERED": "1"}
-        self.process = await asyncio.create_subprocess_exec(
+        return await asyncio.create_subprocess_exec(
             sys.executable,
             "-m",
             "tambour.work.worker",
@@ -67,7 +76,6 @@ class Hand:
             env={k: v for k, v in {**os.environ, **settings}.items() if k not in UNWANTED},
             start_new_session=True,
         )
-        self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._watch())]
 
     @property
     def alive(self) -> bool:

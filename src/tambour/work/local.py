@@ -48,6 +48,7 @@ class Local:
         self.threads = threads or max(1, processors() // self.width)
         self._room = Room.beside(Path(tempfile.gettempdir()))
         self._hands: set[Hand] = set()
+        self._jobs: set[asyncio.Task[Any]] = set()
         self._made = 0
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
@@ -78,6 +79,10 @@ class Local:
         self._room.clear()
 
     async def _done(self, job: Job) -> Done:
+        task = asyncio.current_task()
+        assert task is not None
+        self._jobs.add(task)
+        task.add_done_callback(self._jobs.discard)
         for _ in range(TRIES):
             done, ended = await self._once(job)
             if ended:
@@ -125,15 +130,17 @@ class Local:
         await hand.close()
 
     async def _end(self) -> None:
-        """Ends what goes on before the workers: a job whose worker is gone would begin another one. Neither is waited for longer than LEAVE."""
-        others = [t for t in asyncio.all_tasks() if t is not asyncio.current_task()]
+        """Ends what goes on before the workers: a job whose worker is gone would begin another one. Neither is waited for longer than LEAVE.
+
+        Jobs alone are cancelled, not what asyncio and the hands do for them."""
+        jobs = list(self._jobs)
         for hand in self._hands:
             if hasattr(hand, "process"):
                 hand.kill()
-        for task in others:
+        for task in jobs:
             task.cancel()
-        if others:
-            await asyncio.wait(others, timeout=LEAVE)
+        if jobs:
+            await asyncio.wait(jobs, timeout=LEAVE)
         with suppress(TimeoutError):
             async with asyncio.timeout(LEAVE):
                 await asyncio.gather(*(self._drop(hand) for hand in list(self._hands) if hasattr(hand, "process")))
