@@ -158,3 +158,23 @@ def test_the_table_is_seen_through_the_holes_of_what_lies_flat() -> None:
     made, _ = touched(share, plot, flat, 100.0)
     assert made[120, 120, 0] > 0.8
     assert made[110:130, 126:134].min() < 0.5  # and dark where it touches
+
+
+def test_hairs_stand_in_wisps() -> None:
+    """As many to each stretch of yarn, fuzz looks computed: along a strand some stretches have several times as many as others."""
+    line = np.array([[-30.0, 0, 0], [0, 0, 0], [30, 0, 0]])
+    thin = Strands(Paths.of([line]), np.full(3, 2.0), np.array([[200, 60, 40]], np.uint8))
+    full, bare = (covered(sweep(thin, sides=24, material=name), 600) for name in ("yarn", "thread"))
+    top = int(np.flatnonzero((bare > 0).any(1))[0])
+    above = (full - bare)[: top - 1, 40:552].clip(0).sum(0).reshape(-1, 16).sum(1)
+    assert above.std() > 0.34 * above.mean()
+
+
+def test_yarn_shows_single_fibres_among_its_wisps() -> None:
+    """Broad wisps alone, with soft sides, and near to yarn looks like clay, or like grain of wood."""
+    from tambour.render.fleece import fibres
+
+    height = fibres()[..., 0]
+    assert abs(height.mean()) < 1e-9 and height.std() == pytest.approx(1.0)
+    across, along = (np.diff(height, axis=axis).std() for axis in (0, 1))
+    assert across > 0.6 and along < 0.3 * across

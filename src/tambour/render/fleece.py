@@ -12,6 +12,8 @@ from tambour.noise import stream
 
 AROUND: Final = 96
 """Texels of the fibres' tile around a strand, and along one turn of its twist."""
+WISPS: Final = ((0.8, 0, 14), (1.0, 1, 20), (0.9, 4, 30))
+"""How strongly single fibres and wisps of them show, how many texels wide they are to either side, and how long."""
 TONES: Final = 1024
 """Rows of the table of tones."""
 
@@ -21,10 +23,11 @@ def fibres() -> Array:
     """(N, N, 3): height of the fibres on a strand, mean 0, spread 1, and its slopes along v (around) and u (along).
 
     Rows run around the strand, columns along a turn of its twist; both wrap. Fibres are a texel or two wide and a quarter
-    of a turn long; weaker and broader clumps lie under them.
+    of a turn long; they lie in wisps of a few and of many.
     """
-    fine, broad = stream("fleece", 1).random((AROUND, AROUND)), stream("fleece", 2).random((AROUND, AROUND))
-    height = _even(_blurred(fine, 1, 24)) + 0.6 * _even(_blurred(broad, 8, 40))
+    height = np.zeros((AROUND, AROUND))
+    for number, (share, wide, long) in enumerate(WISPS):
+        height += share * _even(_blurred(stream("fleece", 5, number).random((AROUND, AROUND)), wide, long))
     height = _even(height)
     around = 0.5 * AROUND * (np.roll(height, -1, 0) - np.roll(height, 1, 0))
     along = 0.5 * AROUND * (np.roll(height, -1, 1) - np.roll(height, 1, 1))

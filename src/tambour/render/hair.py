@@ -26,6 +26,8 @@ DIM = 0.85
 """How dark a hair in the shade may be, as a share of the light that comes from the surface where it stands."""
 ROOTS, TIPS = 0.84, 1.14
 """How light a hair is where it stands among others, and at its end."""
+WISP, SLEEK = 2.4, 0.25
+"""Wisps to a turn of the twist; what hairs stand between them, as a share of what stands in the mean."""
 STEP = 1.3
 """Pixels between the points of a hair."""
 BENDS = 28
@@ -104,6 +106,12 @@ def hairs(
         most = MOST * pixel * pixel
         stands = max(1.0, per / most)
         count = 0.5 * twice * per / stands
+        if len(uv) > 0:
+            # Fibres come loose in wisps: where one stands out more do, and between them the yarn is sleek.
+            along, beside = floor(WISP * uv[a, 0]) + (1 << 40), floor(4.0 * (uv[a, 1] - floor(uv[a, 1])))
+            spot = np.uint64(along) * np.uint64(31) + np.uint64(beside)
+            wisp = uniform(spot, np.uint64(7))
+            count *= SLEEK + (3.0 - 3.0 * SLEEK) * wisp * wisp
         key = np.uint64(f)
         many = int(count)
         if uniform(key, np.uint64(0)) < count - many:
@@ -139,7 +147,7 @@ def hairs(
             )
             # Most are short; few are long, and no two alike.
             rare = r2 * r2 * r2
-            long = radius * table[m, REACH] * (0.10 + 0.50 * r2 * r2 + 0.5 * rare * r2 + 1.6 * rare * rare * rare)
+            long = radius * table[m, REACH] * (0.10 + 0.42 * r2 * r2 + 0.5 * rare * r2 + 2.4 * rare * rare * rare)
             size = 0.0
             for k in range(3):
                 p[k] = vertices[a, k] + r0 * (vertices[b, k] - vertices[a, k]) + r1 * (vertices[c, k] - vertices[a, k])
@@ -175,7 +183,9 @@ def hairs(
             b2 = 2.0 * uniform(key, np.uint64(at + 8)) - 1.0
             for k in range(3):
                 bow[k] = b0 * t[k] + b1 * s[k] + 0.5 * (b2 - 0.5) * n[k]
+            # Most bow gently; few are crimped.
             curl = 2.0 * uniform(key, np.uint64(at + 9)) - 1.0
+            curl *= curl * curl
             # Light where it stands, over the wrapped half of the world that its root sees.
             light[:] = 0.0
             asked, came = 0.0, 0.0
@@ -214,11 +224,12 @@ def hairs(
                 2.0 * radius * table[m, FINE] * pixel * stands, max(WIDEST, 2.0 * radius * table[m, FINE] * pixel)
             )
             steps = min(BENDS, max(4, int(long * pixel / STEP)))
+            bends = 0.7 + 2.2 * r4 * r4
             part = long / steps
             drawn += 1
             lx, ly = sx / samples, sy / samples
             for k in range(1, steps + 1):
-                turn = 2.6 / steps
+                turn = bends / steps
                 size = 0.0
                 for q in range(3):
                     # The bow turns about the way by and by, so that long hairs curl.

@@ -28,7 +28,7 @@ from tambour.render.tables import PLANK, TABLES, tile
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine; tiles (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.040, 60.0, 0.9, 0.0105, 5.5),
+    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.040, 44.0, 0.85, 0.0100, 5.5),
     "cotton": (0.3, 0.22, 0.08, 14.0, 4.0, 0.34, 0.026, 18.0, 0.5, 0.0085, 4.0),
     "acrylic": (0.45, 0.32, 0.04, 18.0, 4.0, 0.34, 0.038, 48.0, 0.8, 0.0095, 4.5),
     "chenille": (0.8, 0.6, 0.0, 1.0, 0.0, 0.0, 0.03, 300.0, 0.72, 0.024, 21.0),
