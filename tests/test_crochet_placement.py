@@ -71,7 +71,7 @@ def cat() -> Book:
 
 def test_every_part_that_is_sewn_on_is_named_on_a_chart_of_what_it_is_sewn_to(cat: Book) -> None:
     charts = placement(cat)
-    assert [chunk.title for chunk in charts] == ["BODY, from the back", "HEAD, from the front"]
+    assert [chunk.title for chunk in charts] == ["BODY, from the front", "BODY, from below", "HEAD, from the front"]
     said = [word for k in range(len(charts)) for word in drawn(cat, k)[1]]
     # The head is sewn to the body's open end: of that there is no place to find.
     assert {"LEGS", "TAIL", "EARS", "MUZZLE"} <= set(said) and "HEAD" not in said
@@ -85,14 +85,14 @@ def test_bold_numbers_are_the_rounds_that_the_seams_lie_on(cat: Book) -> None:
     pairs = np.vstack([pairs, pairs[:, ::-1]])
     on = pairs[np.isin(graph.part[pairs[:, 0]], sorted(ears)) & (graph.part[pairs[:, 1]] == head), 1]
     rounds = {built.rounds[int(graph.round[n])].number for n in on}
-    sheet, _ = drawn(cat, 1)
+    sheet, _ = drawn(cat, 2)
     bold = {int(label.text) for label in sheet.labels if label.bold and label.text.isdigit()}
     assert {min(rounds), max(rounds)} <= bold  # of the ears, counted from the seams themselves
     assert {9, 10} <= bold | {int(label.text) for label in sheet.labels if label.text.isdigit()}  # the eyes'
 
 
 def test_numbers_stand_apart_and_in_the_order_of_the_rounds(cat: Book) -> None:
-    sheet, _ = drawn(cat, 1)
+    sheet, _ = drawn(cat, 2)
     at = sorted((label.y, int(label.text)) for label in sheet.labels if label.text.isdigit())
     assert min(b[0] - a[0] for a, b in pairwise(at)) >= _NUMBER - 1e-9
     assert [n for _, n in at] == sorted(n for _, n in at)  # the head is worked from its crown
@@ -181,6 +181,11 @@ def test_of_what_lies_it_is_the_middle_of_the_top() -> None:
     block = of.said.blocks[0]
     said = [row.words for row in marked(of, block, list(block.lines)) if row.ours]
     assert said and all(words.startswith("Mark the middle of the top: Rnd ") for words in said)
-    words = " ".join(drawn(of)[1])
+    charts = placement(of)
+    assert [chart.title for chart in charts] == [
+        "BODY, from above",
+        "BODY, from below",
+    ]  # the ears, and where legs stand
+    words = " ".join(word for k in range(2) for word in drawn(of, k)[1])
     assert "Middle of the top: Rnd 6" in words and "iddle of the front" not in words
-    assert "dashed" not in words  # from its side there is no such line
+    assert "The dashed line is the middle of the top, seen from below the middle of the underside." in words

@@ -43,8 +43,13 @@ _DASHED_TOP: Final = {"above": 0.0, "front": 0.0, "back": 0.0, "below": 0.5}
 """The same of the middle of the top, of what lies."""
 _FACING: Final = 0.02
 """What faces the eye less than this, as a cosine, is behind the edge."""
-_SHOWN, _ENOUGH = 0.3, 0.45
-"""A seam is shown where so much of it is on the side that is looked at, and shown well enough: of arms at the sides it is half."""
+_WELL: Final = 0.7
+"""A ring is seen for what it is where its fabric faces the eye so much; less, and it is a line."""
+_SHOWN, _ENOUGH, _FACED = 0.3, 0.45, 0.8
+"""A seam is shown where so much of it is on the side that is looked at, and shown well enough: of arms at the sides it is half, of a ring
+more."""
+_MORE: Final = 0.35
+"""What a second side shows more of something than the first, to be worth a chart."""
 _HIGH: Final = 38.0
 """How high a chart is at the most, mm."""
 _LEAST: Final = (4, 18)
@@ -89,7 +94,7 @@ def placement(book: Book) -> list[Chunk]:
         normals = vertex_normals(x, spots.faces(host))
         marks = _marks(book, spots, host, normals)
         if any(mark.name for mark in marks):
-            sides = _sides(marks)
+            sides = _sides(marks, lies(book, host))
             if any(side in _DASHED for side in sides):
                 dashed.append(book.own["placement top" if lies(book, host) else "placement middle"])
             made += [_chart(book, spots, host, side, marks, normals) for side in sides]
@@ -148,21 +153,37 @@ def _facing(side: str) -> Array:
 
 
 def _share(marks: Sequence[_Mark], side: str) -> Array:
-    """How much of each mark is on a side; copies of a part on the same rounds count together, as one sees them as a pair."""
+    """How much of each mark is on a side, and of a ring how well it faces the eye; copies of a part on the same rounds count together, as one
+    sees them as a pair."""
     back = _facing(side)[2]
-    ahead = np.array([(dot(mark.normals, back) > _FACING).mean() for mark in marks])
+    faces = [dot(mark.normals, back) for mark in marks]
+    ahead = np.array(
+        [(np.clip(f / _WELL, 0.0, 1.0) if mark.ring else f > _FACING).mean() for f, mark in zip(faces, marks)]
+    )
     pairs = [(mark.name, mark.rounds) for mark in marks]
     return np.array([ahead[[k for k, other in enumerate(pairs) if other == pair]].mean() for pair in pairs])
 
 
-def _sides(marks: Sequence[_Mark]) -> list[str]:
-    """The side that shows most of what is sewn on, and the one that shows most of what is not seen there, where it is much of anything."""
+def _sides(marks: Sequence[_Mark], lying: bool = False) -> list[str]:
+    """The side that shows most of what is sewn on, and the one that shows most of what is not seen there, where it is much of anything; in
+    the order of the views."""
     some = [mark for mark in marks if mark.name]
-    share = {side: np.minimum(_share(some, side), _ENOUGH) for side in _VIEWS}
-    first = max(_VIEWS, key=lambda side: round(float(share[side].sum()), 1))  # of equals the first
-    more = {side: np.maximum(share[side] - share[first], 0.0) for side in _VIEWS}
-    second = max(_VIEWS, key=lambda side: round(float(more[side].sum()), 1))
-    return [first, second] if more[second].max() >= _SHOWN else [first]
+    enough = np.where([mark.ring for mark in some], _FACED, _ENOUGH)
+    whole = {side: _share(some, side) for side in _VIEWS}
+    share = {side: np.minimum(whole[side], enough) for side in _VIEWS}
+
+    def best(beside: str = "") -> str:
+        # Of equals the first; of what lies, which has no end to look into from above, the one that shows all of it.
+        more, all_of_it = (
+            {side: round(float(np.maximum(of[side] - of.get(beside, 0.0), 0.0).sum()), 1) for side in _VIEWS}
+            for of in (share, whole)
+        )
+        return max(_VIEWS, key=lambda side: (more[side], lying and all_of_it[side]))
+
+    first = best()
+    second = best(first)
+    more = (share[second] - share[first]).max() >= _MORE
+    return [side for side in _VIEWS if side == first or (side == second and more)]
 
 
 def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark], normals: Array) -> Chunk:
