@@ -53,8 +53,9 @@ def faces() -> tuple[Array, Array]:
     return ways, np.array(corners)
 
 
-def rolled(spots: Spots, x: Array, own: list[int]) -> tuple[Array, Array, Array]:
-    """Motifs as a ball: positions (N, 3) of all nodes, pairs (S, 2) to sew, and pairs (11, 2) of nodes that hold together.
+def rolled(spots: Spots, x: Array, own: list[int]) -> tuple[Array, Array, Array, Array]:
+    """Motifs as a ball: positions (N, 3) of all nodes, pairs (S, 2) to sew, pairs (11, 2) of nodes that hold together, and the
+    triangles (T, 3) of its seams, which close what the motifs enclose.
 
     x : (N, 3) in stitches, every part by itself
     """
@@ -81,10 +82,32 @@ def rolled(spots: Spots, x: Array, own: list[int]) -> tuple[Array, Array, Array]
         x[nodes] = turned(x[nodes] - middle, turned(after, before)) + _DEEP * float(radius.mean()) * way
     label = np.concatenate([np.full(len(rim), k) for k, rim in enumerate(rims)])
     every = np.concatenate(rims)
-    pairs = []
+    pairs, across = [], dict[int, int]()
     for k in range(len(own)):
         mine, others = every[label == k], every[label != k]
         far, at = nearest(x[mine], x[others])
-        pairs.append(np.column_stack([mine, others[at[:, 0]]])[far[:, 0] < _REACH])
+        near = np.column_stack([mine, others[at[:, 0]]])[far[:, 0] < _REACH]
+        pairs.append(near)
+        across |= dict(near.tolist())
     held = np.array([(graph.parts[k].start, graph.parts[own[0]].start) for k in own[1:]], int)
-    return x, np.concatenate(pairs), held
+    shell = graph.faces[spots.built.shell]
+    return x, np.concatenate(pairs), held, strips(shell[np.isin(graph.part[shell[:, 0]], own)], graph.part, across)
+
+
+def strips(faces: Array, part: Array, across: dict[int, int]) -> Array:
+    """The triangles (T, 3) between edges that are sewn to each other, turned as the fabric beside them.
+
+    faces : (F, 3) of the pieces; part : (N,) which piece every node is of; across : node of an edge → the one that it is sewn to
+    """
+    directed = {(u, v) for a, b, c in faces.tolist() for u, v in ((a, b), (b, c), (c, a))}
+    made = []
+    for u, v in sorted(directed):
+        if (v, u) in directed or u not in across or v not in across:
+            continue
+        over_u, over_v = across[u], across[v]
+        if part[over_u] != part[over_v] or part[u] > part[over_u]:
+            continue  # a corner, or the other piece has this seam
+        made.append((v, u, over_u))
+        if over_u != over_v:
+            made.append((v, over_u, over_v))
+    return np.array(made, int).reshape(-1, 3)

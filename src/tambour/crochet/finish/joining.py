@@ -23,6 +23,7 @@ from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, spots_of
+from tambour.crochet.settle.body import Body, enclosing, joined_up
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.near import nearest
 from tambour.geometry.surface import vertex_normals
@@ -79,6 +80,7 @@ class Joined:
     held : pairs (H, 2) of nodes, one of either part, whose parts have their places to one another
     stays, rest : pairs (K, 2) of nodes and lengths (K,), in stitches, that keep parts at their angles
     lying : (L, 4) stitches of the seams and the triangles of the fabric that they lie on
+    around : (T, 3) triangles of seams by which several pieces enclose one volume: a ball of motifs
     """
 
     x: Array
@@ -88,6 +90,13 @@ class Joined:
     stays: Array
     rest: Array
     lying: Array
+    around: Array
+
+    def on(self, body: Body, nodes: Array) -> Body:
+        """The body of ``nodes`` (rising) with its parts in their places."""
+        body = joined_up(body, nodes, self.stays, self.rest, self.lying)
+        within = np.isin(self.around, nodes).all(1)
+        return enclosing(body, np.searchsorted(nodes, self.around[within])) if within.any() else body
 
 
 def prepare(built: Built) -> Joining | None:
@@ -337,8 +346,9 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         group[body[other]].extend(group[body[part]])
         for b in group[body[other]]:
             group[b] = group[body[other]]
+    around = np.zeros((0, 3), int)
     if joining.ball:
-        x, pairs, together = rolled(spots, x, list(joining.ball))
+        x, pairs, together, around = rolled(spots, x, list(joining.ball))
         seams.append(pairs)
         held += [(int(a), int(b)) for a, b in together]
     for k, turn in nodded.items():
@@ -354,6 +364,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.concatenate([np.zeros((0, 2), int), *stays]),
         np.concatenate([np.zeros(0), *rest]),
         np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams[: len(joining.steps)])]),
+        around,
     )
 
 

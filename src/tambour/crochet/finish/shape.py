@@ -17,7 +17,7 @@ from tambour.crochet.finish.stood import at_rest, clad, on_its_feet, standing, u
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.graph.sided import sided
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
-from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, volumes
+from tambour.crochet.settle.body import Body, State, build, displacement, volumes
 from tambour.crochet.settle.laid import Sheets, braced, flattened, laid
 from tambour.crochet.settle.snug import pressed, snug
 from tambour.geometry.motion import fit, turned
@@ -66,7 +66,7 @@ class Shape:
             return None
         body = self.task.body(self.task.graph, self.task.used)
         if self.joined is not None:
-            body = joined_up(body, np.arange(len(body)), self.joined.stays, self.joined.rest, self.joined.lying)
+            body = self.joined.on(body, np.arange(len(body)))
         return body
 
 
@@ -203,7 +203,7 @@ def shaping(task: Task) -> Shaping:
         task, x, c, joined = placed(task, x, c)
         whole = task.body(task.graph, task.used)
         if joined is not None:
-            whole = joined_up(whole, np.arange(n), joined.stays, joined.rest, joined.lying)
+            whole = joined.on(whole, np.arange(n))
         state = State(x, c, np.zeros(p))
         if params.solver == "steps":
             for k in steps(whole, state, params.steps):
@@ -251,7 +251,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
             state = State(x[nodes], c[mine], np.zeros(len(own)))
             body = braced(task.body(piece, task.used[own]), nodes, sheets)
             if joined is not None:
-                body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
+                body = joined.on(body, nodes)
             fabric = digest([body.edges, body.threads, body.cubic])
             if fabric not in factors:
                 factors[fabric] = laplacian(body, np.zeros(len(body), bool))

@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from tambour.crochet.finish.globe import motifs
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, spots_in
@@ -34,8 +35,8 @@ def halves(built: Built) -> list[tuple[int, int]]:
     """The parts of built, by number, that are sewn together all round: the front one first."""
     pattern, spots = built.pattern, spots_in(built)
     text = pattern.text.text.lower()
-    if not _TOGETHER.search(text) or not re.search(r"\bstuff|\bfiber\s?fil", text):
-        return []
+    if not _TOGETHER.search(text) or not re.search(r"\bstuff|\bfiber\s?fil", text) or motifs(spots):
+        return []  # "join the 2 halves of the ball" speaks of six motifs each
     found: list[tuple[int, int]] = []
     made = [Made(section.name, section.copies) for section in pattern.parts]
     for section in made:

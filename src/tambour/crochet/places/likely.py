@@ -52,7 +52,10 @@ class Likely(Upright):
             self._likely(legs[-1], "body")  # the leg that goes on into the body
             return
         body = self.of_kind("body")
-        if body is None and self.of_kind("head") is not None and (clad := self._clad()) is not None:
+        whole = any(
+            "body" in within for within in self.sections.values()
+        )  # a doll of which the head goes on into the body
+        if body is None and not whole and self.of_kind("head") is not None and (clad := self._clad()) is not None:
             self._likely(clad, "body")
             return
         if body is None or self.of_kind("head") is not None or "head" in body.kinds:

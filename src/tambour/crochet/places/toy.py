@@ -33,7 +33,7 @@ _LAST: Final = re.compile(
 _SAME: Final = re.compile(r"\b(?:same as|as (?:given )?for|like)\b")
 _FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
 _WITHIN: Final = re.compile(
-    r"\n\s*(?:(?:cont(?:inue)?|beg(?:in)?|shape)\.? (?:for |with )?(?:the )?)?(head|body|neck|cap|torso)\s*(?::\s*\n?|[-–—]\s*)"
+    r"\n\s*(?:(?:cont(?:inue)?|beg(?:in)?|shape)\.? (?:for |with )?(?:the )?)?(head|body|neck|cap|torso)\s*(?::\s*\n?|[-–—]\s*|\n)"
     r"(?:next |see [^\n]*\n)?(?:(?:rnd|round|row)s?\s+)?(\d+)(?:st|nd|rd|th)?\b"
 )
 """Headings within a piece, with the number of the round that follows."""

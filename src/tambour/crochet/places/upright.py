@@ -207,7 +207,8 @@ class Upright(Toy):
         if any(abs(self.open(p.copies[0][0].copy(1)) - wide) <= _RIM_OFF for p in lids):
             return "end"  # a roof that closes it
         hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)
-        if main.kind == "body" and head is None and not wide and self._pear(part, counts):
+        late = bool(faces) and (np.mean(faces) - low + 1) / (high - low + 1) > 0.5  # its face is on its upper half
+        if main.kind == "body" and head is None and not wide and not late and self._pear(part, counts):
             return "start"
         return (
             "start"

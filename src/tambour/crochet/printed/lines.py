@@ -30,7 +30,7 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
         return False  # "* eyes: …" is the next of a list
     if row.tokens[-1].word == "between":
         return True  # "between | Rows 8 and 9" begins no round
-    if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", "for", "as", "from"):
+    if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", "for", "as", "from", "embroider", "using"):
         return not heads(p.vocabulary.read(after.tokens))
     if row.end - row.start < p.long:
         return False

@@ -349,6 +349,31 @@ def joined_up(body: Body, nodes: Array, stays: Array, rest: Array, lying: Array)
     )
 
 
+def enclosing(body: Body, around: Array) -> Body:
+    """The body whose parts enclose one volume where ``around`` (T, 3), triangles of their seams, join them: what stuffs each
+    presses in all of them, and what the seams leave open is closed by lids."""
+    from tambour.crochet.graph.lids import lids
+
+    own = np.unique(body.part[around])
+    mine = np.isin(body.part[body.fabric.max(1, initial=0)], own)
+    fabric = np.concatenate([body.fabric[mine], around, body.fabric[~mine]]).astype(np.int32)
+    of = body.part[fabric.max(1, initial=0)]
+    of = np.where(np.isin(of, own), own[0], of)
+    faces, face_part, rims, rim = lids(fabric, of, len(body))
+    pressure, least = body.pressure.copy(), body.least.copy()
+    pressure[own[0]], least[own[0]] = body.pressure[own].sum(), body.least[own].sum()
+    pressure[own[1:]] = 0.0
+    return replace(
+        body,
+        faces=faces.astype(np.int32),
+        face_part=face_part.astype(np.int32),
+        lid_offsets=rims,
+        lid_nodes=rim,
+        pressure=pressure,
+        least=least,
+    )
+
+
 def _cubic(stuffing: str) -> bool:
     return stuffing in ("centroid", "skeleton")
 
