@@ -5,7 +5,7 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
-from tambour.crochet.finish.dressed import Wearer, wears
+from tambour.crochet.finish.dressed import Cloth, Wearer, wears
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed
 from tambour.crochet.looks import in_sight
@@ -177,3 +177,40 @@ def test_one_limb_in_each_of_two_colours_is_a_pair(how: str) -> None:
         pair = [f for f in found if kind in f.part]
         assert len(pair) == 2 and len({f.part for f in pair}) == 2
         assert pair[0].spot.round == pair[1].spot.round and pair[0].spot.stitch != pair[1].spot.stitch
+
+
+PICOTS = DRESS.replace("sc around (36)", "sc around, join with sl st (36)").replace(
+    "Fasten off.",
+    "Rnd 11: Ch 1. Working in back loops only, sl st in back loop of same sp as last sl st. *Ch 3. 1 sc in 2nd ch from hook - picot made. "
+    "Ch 1. Skip next 2 sts. Sl st in next st. Rep from * around. Join with sl st to first sl st.\nFasten off.",
+)
+FLARED = """DRESS
+Row 1: Ch 19, sc in 2nd ch from hook and in each ch across (18)
+Rows 2-4: Ch 1, turn, sc in each st across (18)
+Row 5: Ch 1, turn, inc in each st across (36)
+Rows 6-19: Ch 1, turn, sc in each st across (36)
+Fasten off.
+"""
+
+
+def worn_as(clothes: str) -> tuple[Cloth, float]:
+    """A garment as it is put on, and how much the body has about it."""
+    made, _ = piece(clothes)
+    (one,) = made.built.pattern.worn
+    spots, body = Spots(made.built), part_of(made, "body")
+    x = made.positions / made.built.graph.stitch_width
+    wearer = Wearer(x[wears(spots, body, one.low, one.high)], np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
+    around = 2.0 * np.pi * (wearer.mean(wearer.catches("neck", 0.0)) + 0.75)
+    return Cloth(spots, part_of(made, "dress"), around), float(around)
+
+
+def test_a_hem_of_picots_is_no_neck() -> None:
+    """Loops along the hem were laid out as one strand, so slim that it was the dress's upper end: the dress fitted no doll."""
+    cloth, around = worn_as(PICOTS)
+    assert cloth.wide[0] < 0.75 * cloth.wide[-1] and 0.5 < 2.0 * np.pi * cloth.wide[0] / around < 1.5
+
+
+def test_a_dress_that_widens_is_not_worked_from_side_to_side() -> None:
+    """Its length was nearer to what is about the doll than the width of its skirt was: it hung with its rows upright, down to the ground."""
+    cloth, _ = worn_as(FLARED)
+    assert len(cloth.wide) == 20 and cloth.wide[0] < 0.6 * cloth.wide[-1]

@@ -34,6 +34,12 @@ _UNEVEN: Final = 3.0
 """A sheet of which a row is so many times as wide as others is no plain one."""
 _HANGS: Final = 0.6
 """A leg hangs of which so much is below the body."""
+FITS: Final = 0.15
+"""A row goes about who wears it whose width differs from what is about there by this, as a logarithm, or less."""
+SLIM: Final = 0.3
+"""A row of a garment that is so much slimmer than the one before was not laid out round it."""
+FEW: Final = 0.25
+"""A row of fewer stitches than this share of the middle one is none."""
 TACKS: Final = 4
 """Stitches that hold clothes in their place."""
 
@@ -110,12 +116,12 @@ class Cloth:
         graph = spots.built.graph
         span = graph.parts[part]
         x = spots.layout[span.start : span.end]
-        numbers, level = np.unique(graph.round[span.start : span.end], return_inverse=True)
-        level = level.reshape(-1)
+        level = _whole(np.unique(graph.round[span.start : span.end], return_inverse=True)[1].reshape(-1))
+        numbers = np.unique(level)
         self.rows = bool(spots.in_rows[part])
         if self.rows:
             across, along = x[:, 0], x[:, 1]
-            if self._sideways(x, around):  # worked from one side to the other
+            if self._sideways(x, level, around):  # worked from one side to the other
                 across, along = along, -across
                 level = np.round(along - along.min()).astype(int)
                 numbers, level = np.unique(level, return_inverse=True)
@@ -135,6 +141,12 @@ class Cloth:
             height = np.array([float(x[level == k, 1].mean()) for k in range(len(numbers))])
             self.angle, self.off, self.closed = np.arctan2(off[:, 0], off[:, 1]), far - wide[level], True
             self.even = True
+            for k in range(
+                1, len(numbers)
+            ):  # picots and loops along an edge are laid out as one strand: they go round it
+                if wide[k] < SLIM * wide[k - 1]:
+                    self._around(level == k - 1, level == k)
+                    wide[k], height[k] = wide[k - 1], 2.0 * height[k - 1] - height[max(k - 2, 0)]
         order = np.arange(len(numbers))
         ends = [float(np.median(wide[:2])), float(np.median(wide[-2:]))]
         if ends[1] < 0.9 * ends[0] and (not self.rows or self.closed):
@@ -147,11 +159,23 @@ class Cloth:
         high = height[order]
         self.step = np.concatenate([[0.0], np.minimum(np.hypot(np.diff(self.wide), np.diff(high)), 3.0)])
 
+    def _around(self, edge: Array, row: Array) -> None:
+        """Lays a row (K,) bool of nodes evenly round the one before, ``edge``, as that runs."""
+        turn = np.unwrap(self.angle[edge])
+        way = 1.0 if turn[-1] >= turn[0] else -1.0
+        self.angle[row] = turn[0] + way * np.linspace(0.0, 2.0 * math.pi, int(row.sum()), endpoint=False)
+        self.off[row] = 0.0
+
     @staticmethod
-    def _sideways(x: Array, around: float) -> bool:
-        """Whether the rows of a piece run up and down on who wears it."""
+    def _sideways(x: Array, level: Array, around: float) -> bool:
+        """Whether the rows of a piece run up and down on who wears it: its length goes about there better than its rows do, those about its
+        upper or its lower edge among them."""
         across, along = (float(np.ptp(x[:, k])) + 1.0 for k in (0, 1))
-        return abs(math.log(along / around)) < abs(math.log(across / around)) and along > 0.7 * around
+        last = int(level.max(initial=0))
+        edges = [k for k in range(last + 1) if 3 * min(k, last - k) <= last]
+        rows = [across, *(float(np.ptp(x[level == k, 0])) + 1.0 for k in edges)]
+        off = min(abs(math.log(row / around)) for row in rows)
+        return off > FITS and abs(math.log(along / around)) < off and along > 0.7 * around
 
     def on(self, wearer: Wearer, where: str, floor: float) -> Array:
         """Its nodes (K, 3) as they hang on who wears it; floor : how far down, from its upper end, the ground is."""
@@ -178,6 +202,15 @@ class Cloth:
         wave = np.minimum(out / FOLDS * np.sqrt(2.0 * (np.minimum(more, 2.5) ** 2 - 1.0)), 1.6)
         below = wearer.wide(down, turn) + OFF
         return wearer.at(down, turn, np.maximum(out + self.off + wave * np.sin(FOLDS * turn), below))
+
+
+def _whole(level: Array) -> Array:
+    """Rows (K,) of a garment's nodes, those of a few stitches counted to the row before: chains that lift the work, loops of an edging
+    and the slip stitch that ends it are no row that goes round."""
+    many = np.bincount(level)
+    some = many >= FEW * np.median(many)
+    row = np.maximum(np.cumsum(some) - 1, 0)
+    return np.asarray(row[level])
 
 
 def wound(x: Array, wearer: Wearer, at: float) -> Array:
