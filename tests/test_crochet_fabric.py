@@ -494,6 +494,26 @@ def test_loops_hang_down_and_fur_is_cut(name: str) -> None:
     assert (yarn.radius[np.isin(of, hairy)].min() < 0.7 * yarn.radius.max()) == (name == "fur")
 
 
+def test_cut_ends_of_fur_open_into_locks_where_they_are_seen_near() -> None:
+    """As cords of four plies, each as thick as the yarn, fur looked like bark."""
+    from tambour.crochet.yarn.fabric import mesh
+    from tambour.crochet.yarn.frayed import LOCKS, THIN, frayed
+
+    made = make(None, CrochetParams(specimen="fur"), Progress())
+    graph, yarn = made.built.graph, made.yarn
+    hairy = np.flatnonzero(graph.kind == graph.kinds.index("fur"))
+    left, locks = frayed(yarn, graph)
+    assert len(locks.color) == 4 * len(hairy) * LOCKS  # two loops, each cut in two
+    assert locks.radius.max() < 1.2 * THIN * np.median(yarn.radius)
+    assert locks.paths.coords[:, 1].min() < left.paths.coords[np.isin(left.point_data["stitch"], hairy), 1].min()
+    assert len(left.color) == len(yarn.color) and len(left.paths.coords) < len(yarn.paths.coords)
+    assert mesh(graph, made.positions, detail="near", made=yarn).group_names == ("yarn", "plied", "lining")
+    assert mesh(graph, made.positions, detail="medium", made=yarn).group_names == ("yarn", "lining")
+    plain = make(None, CrochetParams(specimen="loopst"), Progress())
+    same, none = frayed(plain.yarn, plain.built.graph)
+    assert same is plain.yarn and not len(none.radius)
+
+
 CLEAN = """
 import sys, ipctk, numpy as np
 m = np.load(sys.argv[1])

@@ -17,6 +17,7 @@ from tambour.crochet.yarn.clearance import ALONG, clear
 from tambour.crochet.yarn.course import Course, course, leaning, place
 from tambour.crochet.yarn.edges import arched, domed, eased, gathered, level
 from tambour.crochet.yarn.fibres import KINDS
+from tambour.crochet.yarn.frayed import frayed
 from tambour.crochet.yarn.lead import Way, roles, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.points import BLOCK
@@ -287,7 +288,10 @@ def mesh(
     """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes over a lining."""
     kind = KINDS[material]
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
+    locks = None
     if detail in ("near", "photo"):
+        if kind.plies:
+            made, locks = frayed(made, graph)
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
         coords = eased_out(coords, ends, 2)
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
@@ -317,7 +321,8 @@ def mesh(
             yarn, vertices=pressed(made, yarn.vertices, sides, along, 1.0 + GROOVE * (1.0 - MEAN) if plies else 1.0)
         )
     inner = lining(graph, positions, graph.stitch_width)
-    every = (yarn, inner)
+    loose = [] if locks is None or not len(locks.radius) else [sweep(locks, sides=6, lay=LAY, material="plied")]
+    every = (yarn, *loose, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])
     return Mesh(
         np.vstack([m.vertices for m in every]),
@@ -325,5 +330,5 @@ def mesh(
         color=np.vstack([np.asarray(m.color) for m in every]),
         uv=np.vstack([np.zeros((len(m.vertices), 2)) if m.uv is None else m.uv for m in every]),
         face_group=np.repeat(np.arange(len(every), dtype=np.int32), [len(m.faces) for m in every]),
-        group_names=(kind.surface, "lining"),
+        group_names=(kind.surface, *(["plied"] if loose else []), "lining"),
     )
