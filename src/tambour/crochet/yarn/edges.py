@@ -51,6 +51,8 @@ DOMES, DOME = (0.28, 0.36), 2.4
 """How far a ring's and a tip's middle is pushed out, and over how far about it that falls off; in widths."""
 GATHERED = 0.55
 """How far the heads of a last round are drawn in to its tip, as a share of how far they are from it."""
+PULLED = 0.14
+"""How far in they are drawn, in widths."""
 STOUT = 24
 """Parts of fewer stitches around are limbs, whose ends are round by themselves."""
 ARCHED = 0.5
@@ -189,10 +191,12 @@ def domed(graph: StitchGraph, x: Array) -> Array:
 def gathered(graph: StitchGraph, x: Array) -> Array:
     """Positions (N, 3) with the last round drawn together where it is closed: the yarn's end goes through its heads and is pulled tight,
     so that no hole is left, and its stitches lie there like those of a ring."""
-    made = x.copy()
-    for t in np.flatnonzero(graph.peculiarity == TIP).tolist():
+    tips = np.flatnonzero(graph.peculiarity == TIP).tolist()
+    made, normal = x.copy(), vertex_normals(x, graph.faces) if tips else x
+    for t in tips:
         last = graph.anchors[graph.anchor_offsets[t] : graph.anchor_offsets[t + 1]]
-        made[last] += GATHERED * (x[t] - x[last])
+        # The end is pulled inside: where twelve legs meet they lie deeper than their neighbours, and are no knob on top.
+        made[last] += GATHERED * (x[t] - x[last]) - PULLED * graph.stitch_width * normal[t]
     return made
 
 
