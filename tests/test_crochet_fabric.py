@@ -494,6 +494,19 @@ def test_loops_hang_down_and_fur_is_cut(name: str) -> None:
     assert (yarn.radius[np.isin(of, hairy)].min() < 0.7 * yarn.radius.max()) == (name == "fur")
 
 
+def test_the_v_of_a_single_crochet_stands_open() -> None:
+    """Drawn as thick as wool is, legs that lie as far apart as a tight lattice lets them were a row of beans, none of them a V's."""
+    course, drawn = (loops.tables("over")[0][0].copy() for _ in range(2))
+    drawn[:, 0] -= loops.LEAN["over"] * drawn[:, 1]
+    left, right = course[7:10], course[14:18][::-1]
+    apart = [np.interp(v, right[:, 1], right[:, 0]) - np.interp(v, left[:, 1], left[:, 0]) for v in (0.1, 0.6)]
+    assert apart[0] < 0.31 and apart[1] > 0.68
+    # As far to either side of where its middle stands, so that a V is not all one leg's.
+    moved = course - loops.SINGLE
+    assert abs(moved[7:19, 0].sum()) < 0.08 and (moved[:, 1:] == 0.0).all()
+    assert 7.7 < float(np.sqrt((np.diff(drawn, axis=0) ** 2).sum(1)).sum()) < 8.1  # what hands take
+
+
 def test_cut_ends_of_fur_open_into_locks_where_they_are_seen_near() -> None:
     """As cords of four plies, each as thick as the yarn, fur looked like bark."""
     from tambour.crochet.yarn.fabric import mesh

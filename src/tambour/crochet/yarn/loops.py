@@ -107,13 +107,26 @@ CHAIN: Final[Array] = np.array([(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0
 """What comes before the head in a chain: the bump behind it."""
 
 
+def _open(course: Array) -> Array:
+    """A course whose V stands open: its legs lie as near below, and further apart above."""
+    made = course.copy()
+    legs = made[LOOP[0] + 2 : LOOP[1] - 1]
+    axis = 0.08 + 0.41 * legs[:, 1]
+    front = np.clip((legs[:, 2] - 0.02) / 0.2, 0.0, 1.0) * np.clip((legs[:, 1] - 0.15) / 0.5, 0.0, 1.0)
+    legs[:, 0] += SPREAD * front * np.sign(legs[:, 0] - axis)
+    return made
+
+
 def tables(hold: str) -> tuple[Array, Array]:
     """The courses (6, 46, 3) of a stitch under both loops, the front and the back one, and of each with its head LOOSE; and a chain's."""
-    single, loose = (UNDER, {}) if hold == "under" else (SINGLE, LOOSE)
+    single, loose = (UNDER, {}) if hold == "under" else (_open(SINGLE), LOOSE)
     made = [single, with_rows(single, FRONT_ONLY), with_rows(single, BACK_ONLY)]
     free = [with_rows(table, loose) for table in made]
     return np.stack(made + free), np.vstack([CHAIN, free[0][HEAD:]])
 
+
+SPREAD: Final = 0.06
+"""How much further to its side each leg of a V lies above than where the course was found, in widths."""
 
 SUNK: Final = (0.1, 0.1)
 """How far down and in the front strand of a head is drawn that lies before a decrease: no loop covers it."""
