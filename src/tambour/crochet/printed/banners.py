@@ -64,6 +64,7 @@ def _yarned(text: str, row: Row) -> Row:
         not 0 < at <= _NAME
         or row.marked
         or len(tokens) > at + _BEHIND
+        or (at == 1 and len(tokens[0].word) <= _LETTERS)  # "A = red", "MC: cream" in a list of yarns
         or any(t.word in (*_CLOSED, "(", "[") for t in tokens)
     ):
         return row
@@ -85,6 +86,7 @@ def _yarned(text: str, row: Row) -> Row:
 
 
 _NAME: Final = 3
+_LETTERS: Final = 2  # of what a list calls a yarn
 _BEHIND: Final = 8
 _LEADS: Final = frozenset(
     "start starting starts begin beginning w with in using use work worked x make color colour yarn".split()

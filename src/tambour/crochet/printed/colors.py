@@ -13,6 +13,7 @@ from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.items import works
 from tambour.crochet.printed.shades import dyed, listed, said, shade
 from tambour.crochet.printed.shelf import shelf
+from tambour.crochet.printed.yarnlists import YarnList, enter
 
 _HEADING: Final = 400
 """Letters of a part's heading that may name its yarn."""
@@ -44,6 +45,9 @@ class Palette:
             str, tuple[RGB, str, Span]
         ] = {}  # what the list of materials calls its yarns, as it is written there
         self.owned: set[str] = set()  # the words of lists of yarn, some of which are colours there and things elsewhere
+        self.lists: list[YarnList] = []  # of several toys, each with its letters
+        self.worn = self.toy = 0  # the list whose yarns the letters name, and that of the toy under way
+        self.wore: set[int] = set()  # those that headings turned to
         self.meant: dict[str, str] = {}  # colours that mean the one yarn of the list whose name they are part of
 
     def name(self, words: str) -> RGB | None:
@@ -83,11 +87,27 @@ class Palette:
             for called in (name, also) if hue is not None else ():
                 if called and hue is not None:
                     self.yarns.setdefault(called.lower().replace("gray", "grey"), (hue, name, span))
-        for letter, name in listed(line).items():
+        letters = {letter: name for letter, name in listed(line).items() if not letter}
+        for row in re.finditer(r"[^\n]+", line):  # a list of letters is one line each
+            own = {letter: (name, dyed(name)) for letter, name in listed(row[0]).items() if letter}
+            enter(self.lists, row[0], begin + row.start(), own)
+            letters |= {letter: name for letter, (name, _) in own.items() if letter not in letters}
+        if not letters.keys() - {""}:
+            letters |= listed(line)
+        for letter, name in letters.items():
             self.named.setdefault(letter, name)
-            hue = dyed(name)
-            if hue is not None:
+            first = not self.lists or self.lists[0].named.get(letter, name) == name
+            if (hue := dyed(name)) is not None and (first or not letter):
                 self.given.setdefault(letter, hue)
+
+    def wear(self, k: int) -> None:
+        """Gives the letters the yarns of list ``k``."""
+        if k != self.worn:
+            self.wore.add(k)
+            self.worn = k
+            own = self.lists[k].named
+            self.given = {w: hue for w, hue in self.given.items() if w not in own}
+            self.given |= {w: hue for w, hue in self.lists[0].given.items() if w not in own} | self.lists[k].given
 
     @property
     def letters(self) -> dict[str, RGB]:

@@ -10,6 +10,7 @@ from tambour.crochet.language.finishes import MEANT
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.items import dyes
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.yarnlists import twice_told, unnamed
 
 
 def yarns_told(p: State, pattern: Pattern) -> None:
@@ -48,6 +49,7 @@ _WARES: Final = frozenset(
 
 def colors_told(p: State) -> None:
     """Letters of yarns that the text gives no colour, and names of its list that are no colours that are known."""
+    twice_told(p)
     begin = min((draft.span.start for draft in p.parts), default=0)
     unknown: dict[str, Span] = {}
     for m in _WORN.finditer(p.source.text.text, begin):
@@ -59,7 +61,7 @@ def colors_told(p: State) -> None:
         if not any(q.span is not None and q.span.start < span.end and span.start < q.span.end for q in p.unread):
             p.source.doubt("the colour of this yarn is not known", "say it in a word for a colour: light pink", span)
     if p.palette.told:
-        named = p.palette.named
+        named = unnamed(p)
         letters = ", ".join(
             dict.fromkeys(
                 (w.upper() if len(w) < 3 else w.title()) + (f" ({named[w]})" if w in named else "")

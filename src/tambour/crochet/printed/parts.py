@@ -71,7 +71,7 @@ class Draft:
     merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
     plan : the stripes that its next rounds are worked in, and where they are said; over : what stands over its heading and others
     loose : its last line, where a sentence worked part of a round only, the stitches below it, and the round before
-    loops : those that its rounds, or some of them, are worked into
+    loops : those that its rounds, or some of them, are worked into; worn : which of several lists its yarns' letters are of
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -109,6 +109,7 @@ class Draft:
     also: tuple[Span, ...] = ()
     over: str = ""
     loose: tuple[Line, int | None, int] | None = None
+    worn: int = 0
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""

@@ -100,12 +100,14 @@ class Printed(Headed):
         for draft in self.parts:
             draft.lines = beside(self, draft)
             headed(self, draft)
+            self.palette.wear(draft.worn)
             draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text)
         sections = tuple(
             one
             for draft in self.parts
             for one in by_hue(draft.section(source), self.hued.get(draft.span.start, ()) if draft.copies > 1 else ())
         )
+        self.palette.wear(0)  # finishing, at the end of the text, speaks of all toys
         colors_told(self)
         pattern = Pattern(
             source.text,

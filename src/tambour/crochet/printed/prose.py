@@ -35,6 +35,8 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unread import left_over
 from tambour.crochet.printed.wrapping import step
+from tambour.crochet.printed.yarnlists import headed as headed_by
+from tambour.crochet.printed.yarnlists import worn
 from tambour.crochet.words.special import explained
 from tambour.crochet.words.table import TERMS
 
@@ -89,6 +91,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if _said(p, Span(row.tokens[0].start, row.tokens[-1].end)):
         return
     line = text[row.tokens[0].start : row.tokens[-1].end]
+    worn(p, line)
     prefaced(p, row, tokens)
     if forms(p, line, whole) or tallied(p, line, whole):
         return
@@ -134,7 +137,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
         return
     if p.mode == "materials":
-        p.palette.listed(line, row.tokens[0].start)
+        p.palette.listed(text[row.start : row.end], row.start)  # with the letter that numbers it: "A: Soft Cotton, red"
     said = stated(text, row, tokens) or below(p, row, tokens)
     if p.parts and p.mode != "materials":
         said = [
@@ -202,6 +205,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None or _far(p, found):
             p.over = over(p.heading, found) or p.over
             p.heading = found
+            headed_by(p)
         else:
             p.pair = p.heading  # "Ears (make 2)" stays over "Inside Ear:", which "Outside Ear:" may follow
         if found.copies > 1 and found.name == "":

@@ -372,9 +372,34 @@ _SEVERAL: Final = re.compile(
 )
 
 
+_LISTED: Final = re.compile(
+    r"^[ \t•*–-]*(?:(?:[Yy]arn|[Cc]olou?r)[ \t]+)?(MC|CC|C[A-E]|[A-K])[ \t]*(?:[:=]|[-–—](?=[ \t]))[ \t]*(\S[^\n]{0,90})$",
+    re.MULTILINE,
+)
+"""A line of a list that begins with a yarn's letter: "A: Mill's Soft Cotton, Old Rose (408), 2 balls"."""
+_AMOUNT: Final = re.compile(
+    r"^(?:(?:\d+ ?(?:g|m|yds?|yards|balls?|skeins?)|an? (?:little|bit|few \w+)|small amounts?|some|scraps?) )(?:of )?",
+    re.IGNORECASE,
+)
+MILLS: Final = frozenset(("red heart",))
+"""Mills whose names are colours."""
+
+
+def _itemised(line: str) -> dict[str, str]:
+    """The letters that begin the lines of a list: the colour is the last that a line names between its signs, behind the mill's name."""
+    found: dict[str, str] = {}
+    for m in _LISTED.finditer(line):
+        said = [_AMOUNT.sub("", one.strip()) for one in re.split(r"[,;:()/]|\s[-–—]\s", m[2])]
+        hues = [one for one in said if one and one.lower() not in MILLS and dyed(one) is not None]
+        if hues and not NO_YARN.search(m[2]):
+            found.setdefault(m[1].lower(), hues[-1])
+    return found
+
+
 def listed(line: str) -> dict[str, str]:
     """The letters that a list of materials gives to yarns → the names of their colours; "" for a yarn without a letter."""
-    found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
+    found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line) if m[2].strip().lower() not in MILLS}
+    found = {**_itemised(line), **found}
     found = {**{m[2].lower(): m[1].strip() for pattern in (_AS, _ENDED) for m in pattern.finditer(line)}, **found}
     found = {**_lettered(line), **found} if ")" in line or "olo" in line else found
     alone = _ALONE.search(line)
@@ -388,6 +413,7 @@ def _first(line: str) -> str | None:
     for item in line.split("\n"):
         if YARN.search(item) and not NO_YARN.search(item):
             names = (m[1].strip() for m in _SEVERAL.finditer(item))
+            names = (name for name in names if name.lower() not in MILLS)
             if found := next((name for name in names if len(name.split()[0]) > 1 and dyed(name) is not None), None):
                 return found
     return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from tambour.crochet.printed.shades import NO_YARN, YARN, dyed, shade
+from tambour.crochet.printed.shades import MILLS, NO_YARN, YARN, dyed, shade
 
 _BEGUN: Final = re.compile(r"(?::|\bin|\bcolou?rs?)[ \t]+(?=[A-Za-z])")
 _ITEM: Final = re.compile(r"[A-Za-z][A-Za-z’' -]{1,30}")
@@ -28,6 +28,7 @@ def shelf(line: str) -> list[tuple[str, str, int]]:
             while words[:1].islower() and " " in words and shade(words) is None:
                 words = words.partition(" ")[2]  # "plus Red"
             named = shade(words) is not None or (words[:1].isupper() and dyed(words) is not None)
+            named = named and words.lower() not in MILLS
             if named and len(words.split()) <= 3 and not YARN.search(words) and not re.search(r"\bfor\b", item):
                 other = also[1] if also is not None and len(also[1]) > 2 and not _MUCH.search(also[1]) else ""
                 found.append((words, other, at + item.index(words)))

@@ -292,7 +292,7 @@ class State:
         draft.lines, self.lead = self.lead, []
         if draft.copies_span is not None:
             self.early.pop("copies", None)  # what the heading says is meant
-        draft.loops = self.always
+        draft.loops, draft.worn = self.always, self.palette.worn
         for key, value in self.early.items():
             setattr(draft, key, value)
         self.early = {}

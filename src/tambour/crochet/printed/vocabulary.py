@@ -36,6 +36,7 @@ _YARNS: Final = frozenset(
     )
 )
 _ENDED: Final = frozenset(("=", "-", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
+_LISTED: Final = frozenset(("=", ":", "-"))  # behind a yarn's letter in a list: "A = red"
 _AFTER: Final = frozenset("in into around to of from across along with until".split())  # behind a stitch and its point
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
@@ -179,7 +180,10 @@ class Vocabulary:
                 continue
             end, kind, value = found
             if kind == "filler":
-                if token.value == "A" and (tokens[at - 1].word in _YARNS or end >= n or tokens[end].word in _ENDED):
+                listed = not at and token.capital and end < n and tokens[end].word in _LISTED
+                if listed or (
+                    token.value == "A" and (tokens[at - 1].word in _YARNS or end >= n or tokens[end].word in _ENDED)
+                ):
                     made.append(token)
                 at = end
                 continue
