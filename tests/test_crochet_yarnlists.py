@@ -92,3 +92,58 @@ def test_a_second_list_that_nothing_turns_to_is_told() -> None:
     assert len(told) == 1
     assert told[0].message.startswith("this list gives A other")
     assert hues(made, "Body")[:2] == [dyed("red"), dyed("green")]
+
+
+WORK = """
+Doll
+
+MATERIALS
+A = red
+B = blue
+
+"""
+ROUNDS = "Round 1: 12 sc in ring (12).\nRound 2: Sc in each sc around (12).\n"
+
+
+def test_a_yarn_held_double_is_the_yarn_of_its_part() -> None:
+    for said in (
+        "With B held double and larger hook, ch 4 and join with a slip st in a ring.",
+        "With B held together, ch 4, join.",
+        "With 2 strands of B held together and larger hook, ch 4, join with a sl st to form a ring.",
+        "With larger hook and two strands of B, ch 4 and join with a slip st in a ring.",
+    ):
+        made = pattern(f"{WORK}Body\n{said}\n{ROUNDS}")
+        assert [part.name for part in made.parts] == ["Body"]
+        assert hues(made, "Body") == [dyed("blue")], said
+        assert made.unread == ()
+
+
+def test_what_hands_look_for_before_they_join_is_told_and_the_yarn_is_joined() -> None:
+    said = (
+        "Round 3: Ch 1, slip st in each st around, fasten off.\nRound 4: Change to smaller hook. Locate last round of sc before slip "
+        "st round, join a single strand of B in any st, ch 1, 2 sc in each st around (24 sts)."
+    )
+    made = pattern(f"{WORK}Arm\nWith A, ch 4, join.\n{ROUNDS}{said}")
+    assert hues(made, "Arm") == [dyed("red"), dyed("blue")]
+    assert made.unread == ()
+    words = [made.text.text[n.start : n.end] for line in made.parts[0].lines for n in line.notes]
+    assert any("Locate last round" in one for one in words)
+
+
+def test_rounds_of_which_only_the_last_is_shaped() -> None:
+    said = "Rounds 3-5: Sc in each sc around, in the following stripe pattern: B 1 round; A 2 rounds, decreasing 3 sts evenly in last round (9 sts).\n"
+    made = pattern(f"{WORK}Arm\nWith A, ch 4, join.\n{ROUNDS}{said}Round 6: Sc in each sc around (9).")
+    assert made.unread == ()
+    assert not any(line.gap for line in made.parts[0].lines)
+    assert hues(made, "Arm")[:3] == [dyed("red"), dyed("blue"), dyed("red")]
+    plain = pattern(
+        f"{WORK}Arm\nWith A, ch 4, join.\n{ROUNDS}Rounds 3-5: Sc in each sc around, inc 4 sts evenly on last rnd (16)."
+    )
+    assert plain.unread == ()
+    assert not any(line.gap for line in plain.parts[0].lines)
+
+
+def test_yarn_that_was_joined_for_the_part_above_is_not_where_the_next_begins() -> None:
+    said = "Sl st arms to neck opening, closing top of arm.\n\nTail\nWith B, ch 4, join.\nRounds 1-3: Sc in each ch around (4).\nRound 4: Sc in each sc around (4)."
+    made = pattern(f"{WORK}Body\nWith A, ch 4, join.\n{ROUNDS}Fasten off.\n{said}")
+    assert not any("goes along an edge" in p.message for p in made.warnings)

@@ -87,7 +87,7 @@ class Palette:
             for called in (name, also) if hue is not None else ():
                 if called and hue is not None:
                     self.yarns.setdefault(called.lower().replace("gray", "grey"), (hue, name, span))
-        letters = {letter: name for letter, name in listed(line).items() if not letter}
+        letters: dict[str, str] = {letter: name for letter, name in listed(line).items() if not letter}
         for row in re.finditer(r"[^\n]+", line):  # a list of letters is one line each
             own = {letter: (name, dyed(name)) for letter, name in listed(row[0]).items() if letter}
             enter(self.lists, row[0], begin + row.start(), own)

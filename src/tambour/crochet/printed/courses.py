@@ -6,6 +6,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Item
+from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.motifs import spaced
 from tambour.crochet.printed.moved import Moved, moved
@@ -105,6 +106,10 @@ class Courses(Reader):
     def held(self) -> bool:
         """Whether the clause at the cursor only says how pieces are held: "With yarn still attached to base", "with sts matching"."""
         c, ahead, said = self.c, 1, False
+        first, how = c.look(1), c.look(2)
+        dyed = first is not None and (first.word in LETTERS or self.palette.color(c, c.at + 1) is not None)
+        if dyed and how is not None and how.word == "held":
+            return False  # "With B held together": a yarn, and two strands of it
         while (token := c.look(ahead)) is not None and not (token.kind == "mark" and token.word in ",.;:(["):
             if token.kind in ("stitch", "number"):
                 return False

@@ -61,6 +61,34 @@ def _into_first(tokens: list[Token], chain: int | None) -> list[Token]:
     return tokens
 
 
+def _shaped_last(tokens: list[Token]) -> tuple[list[Token], list[Token]] | None:
+    """Rounds of which only the last is shaped, "sc in each sc around, decreasing 6 sts evenly in last round", as those before it and as that one."""
+    for k in range(1, len(tokens) - 4):
+        many = tokens[k + 2]
+        if tokens[k].word != "," or tokens[k + 1].value not in ("inc", "dec") or many.kind != "number":
+            continue
+        at = k + 3 + (tokens[k + 3].value == "in")
+        if [t.value for t in tokens[at : at + 2]] in (["last", "round"], ["last", "row"]):
+            rest = tokens[at + 2 :]
+            return tokens[:k], [*tokens[: k + 3], *rest]
+    return None
+
+
+def _sought(tokens: list[Token]) -> list[Token]:
+    """A round without the clause that only says where hands look before they join, "locate last round of sc, join B in any st"; it stands beside."""
+    at = next((k for k, t in enumerate(tokens) if t.word in ("locate", "find") and _begins(tokens, k)), None)
+    if at is None:
+        return tokens
+    end = next((k for k in range(at, len(tokens)) if tokens[k].word in (",", ".", ";")), None)
+    joins = end is not None and any(t.value == "join" for t in tokens[end:])
+    return [*tokens[:at], *tokens[end + 1 :]] if joins and end is not None else tokens
+
+
+def _begins(tokens: list[Token], k: int) -> bool:
+    """Whether a clause begins at ``k``."""
+    return k == 0 or tokens[k - 1].word in (",", ".", ";", ":")
+
+
 class Headed(State):
     """Reads one round that has a head."""
 
@@ -93,6 +121,14 @@ class Headed(State):
 
     def _said(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
         """The round as its words say, or as a gap."""
+        several = len(head.numbers) if len(head.numbers) > 1 else head.many
+        tokens = _sought(tokens)
+        if several > 1 and (cut := _shaped_last(tokens)) is not None:
+            those = replace(head, numbers=head.numbers[:-1], many=several - 1 if head.many > 1 else head.many)
+            self._said(draft, those, cut[0], Span(span.start, cut[0][-1].end))
+            shaped = replace(head, numbers=head.numbers[-1:], many=1 if head.many > 1 else head.many)
+            self._said(draft, shaped, cut[1], span)
+            return
         first = tokens[0] if tokens else Token("mark", "", head.span.start, head.span.end)
         times = len(head.numbers) if len(head.numbers) > 1 else head.many
         chain = (

@@ -22,6 +22,8 @@ _TURNED: Final = "(?:sc|single crochet)"
 _IDIOMS: Final = tuple(
     (re.compile(rf"(?<!\S){said}(?!\S)"), meant)
     for said, meant in (
+        (r"(?:held|used|taken|worked|working) (?:double|doubled)(?! crochet| treble|-)", "held together"),
+        (r"(?:a |one |1 )?single strands? of", "yarn"),
         # booklets of the fifties
         (r"(inc|dec|increase|decrease)(?: \.)? (?:1|one)(?= [,;.)*]| ?$)", "{1}"),
         (r"(inc|dec|increase|decrease) (?:\. )?(?:all|right) (?:round|around)", "{1} around"),

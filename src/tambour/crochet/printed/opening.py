@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.core.rgb import RGB
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.notes import Heading, copies_in, plain_name
@@ -21,6 +22,7 @@ _BY_THE_WAY: Final = frozenset(
     "plus turning loosely twist twisted twisting careful taking care being placing marker circle make for facing edge lower bottom upper left column of multiple colour color crochet hook".split()
 )
 """Words that a sentence which chains may hold beside its yarn, and that change nothing of what it makes."""
+_ASKS: Final = frozenset(("strand", "strands", "of", "in", "using"))
 _SHORTEST: Final = 2  # chains that a piece begins with
 _CAST: Final = 5  # words of a sentence that only chains
 _WORDS: Final = 6  # of a part's name
@@ -54,7 +56,7 @@ def as_chain(p: State, tokens: list[Token]) -> list[Token]:
     number = c.whole(at + 1) if at < len(tokens) and tokens[at].value == "ch" else None
     if not number or number < _SHORTEST or any(t.value in ("not", "count", "round", "row") for t in tokens[:at]):
         return tokens
-    hue = next(((k, found[1]) for k in range(at) if (found := p.palette.color(c, k)) is not None), None)
+    hue = next(((k, found[1]) for k in range(at) if (found := _hue(p, c, k)) is not None), None)
     dyed = range(hue[0], sum(hue)) if hue is not None else range(0)
     if any(t.kind == "word" and k not in dyed and t.word not in _BY_THE_WAY for k, t in enumerate(tokens[:at])):
         return tokens  # a yarn that is not known, or another thing that is done
@@ -75,6 +77,13 @@ def as_chain(p: State, tokens: list[Token]) -> list[Token]:
         [Token("key", "join", end.start, end.end, "join")] if any(t.value in ("slst", "join") for t in rest) else []
     )
     return [*led, *chain, *joined]
+
+
+def _hue(p: State, c: Cursor, k: int) -> tuple[RGB, int] | None:
+    """The yarn that is named at ``k``, by its letter behind what asks for one: "With B held together", "With 2 strands of A"."""
+    asked = k > 0 and (c.tokens[k - 1].value in ("with", "color", "yarn", "and") or c.tokens[k - 1].word in _ASKS)
+    lettered = p.palette.letter(c, k) if asked and len(c.tokens[k].word) <= 2 else None
+    return p.palette.color(c, k) or lettered
 
 
 def founds(p: State, at: int | None = None, near: int = _NEAR) -> bool:

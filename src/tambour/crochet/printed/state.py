@@ -237,6 +237,8 @@ class State:
         """Goes on with the part, or begins another."""
         last = self.parts[-1] if self.parts else None
         self.under = None
+        if self.heading is not None and self.moved is not None and self.moved.span.start < self.heading.span.start:
+            self.moved = None  # it was joined for what stands above the heading
         if first and last is not None and self.heading is None and last.kept():
             last.last, last.edge = 0, None  # a marker keeps the edge, and a second piece begins beside it
             return
