@@ -1,15 +1,19 @@
 """Toys in order: what a stranger who is told a toy's name would call wrong in its picture."""
 
 import numpy as np
+import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.joining import join, prepare
+from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.places.halves import halves
+from tambour.crochet.places.usual import usual
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.settle.arrange import parts
@@ -112,3 +116,64 @@ def test_french_knots_on_the_next_line_are_the_eyes() -> None:
     text = f"Doll\n\n{head}FINISHING\nWith blue floss, embroider\nFrench knot eyes; embroider smile\nwith red floss.\n"
     found = [f.motif for f in read_printed(Text(text, "toy.txt")).finish if isinstance(f, Embroidery)]
     assert any("eyes" in motif for motif in found) and "smile" in found
+
+
+HEAD = """HEAD
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-10: sc around (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+Rnd 12: (sc, dec) x 6 (12)
+Rnd 13: dec x 6 (6)
+Fasten off and close. Insert safety eyes between rounds 7 and 8, 6 stitches apart.
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("worn", "name"),
+    [
+        (
+            "CROWN\nCh 19.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn (18)\nRow 2: Ch 1, sc in each sc across, turn (18)\n"
+            "Row 3: Ch 1, sc in each sc across (18)\nFasten off. Sew first 2 rows together to form circle.\n\n",
+            "CROWN",
+        ),
+        (
+            "HAT\nCh 7.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn (6)\nRows 2-20: Ch 1, sc in each sc across, turn (6)\n"
+            "Fasten off. Sew short edges together to form a tube.\n\n",
+            "HAT",
+        ),
+    ],
+)
+def test_a_hat_in_rows_that_is_sewn_to_a_tube_stands_on_its_edge(worn: str, name: str) -> None:
+    """A crown stood on one of its ends, a strip on end; a hat worked from side to side lay across the head as a roll."""
+    said = f"FINISHING\nSew {name.lower()} to top of head.\n"
+    built = built_of(HEAD + worn + said, "Bear")
+    spots = Spots(built)
+    (placed,) = [f for f in built.pattern.finish if isinstance(f, Placed)]
+    end = end_of(built, spots, placed)
+    assert end.ring and len(end.nodes) >= 18
+    level = spots.layout[end.nodes]
+    assert min(np.ptp(level[:, 0]), np.ptp(level[:, 1])) < 1.0  # one edge of it, all along
+
+
+def test_strands_of_a_tail_are_at_the_tail() -> None:
+    """Of three pieces of a tail one was at the rump, one at either shoulder."""
+    for lying in (False, True):
+        ways = usual("tail", 3, lying=lying)
+        assert len(ways) == 3 and all(way.at[2] < -0.7 for way in ways)
+        assert max(abs(way.at[0]) for way in ways) < 0.3
+
+
+def test_a_fish_of_two_pieces_lies_though_it_has_eyes() -> None:
+    """It stood on its nose, and its eyes looked at the ground."""
+    fish = "FISH (make 2)\nRow 1: Ch 2, 3 sc in 2nd ch from hook, turn (3)\n"
+    fish += "Row 2: Ch 1, 2 sc in first sc, sc in next sc, 2 sc in last sc, turn (5)\n"
+    fish += "Rows 3-5: Ch 1, 2 sc in first sc, sc in each sc to last sc, 2 sc in last sc, turn (11)\n"
+    fish += "Rows 6-18: Ch 1, sc in each sc across, turn (11)\nFasten off.\n\n"
+    end = "FINISHING\nEmbroider eyes. With wrong sides together, sew around edges. Stuff lightly before closing.\n"
+    piece = make(Text(f"Pond friend\n\n{fish}{end}", "toy.txt"), CrochetParams(tolerance=0.05), Progress())
+    wide, high, _ = np.ptp(piece.positions, axis=0)
+    assert wide > 1.3 * high

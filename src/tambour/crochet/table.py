@@ -27,6 +27,8 @@ LONG: Final = 1.5
 """A flat thing so much deeper than wide lies across."""
 OPEN: Final = 12
 """An end of so many stitches or more is an opening, and not the place where a ball was closed."""
+LIES: Final = frozenset(("fish", "starfish"))
+"""What is made of two pieces in rows and lies on one of them."""
 UP: Final = np.array([0.0, 1.0, 0.0])
 SPACE: Final = 3.0
 """Stitches between toys that stand beside each other in a picture."""
@@ -45,12 +47,18 @@ def laid_out(built: Built, x: Array) -> Array:
     """
     graph = built.graph
     piece = clusters(graph)
-    if not len(x) or piece.max() < 1:
+    fish = any(LIES & set(Made(section.name, 1).words) for section in built.pattern.parts)
+    if not len(x) or (piece.max() < 1 and not fish):
         return x
     spots, x = Spots(built), x.copy()
     bare = [spots_of(r)[0].part for r in built.pattern.finish if not isinstance(r, Tie)]
     bare += [r.part for r in built.pattern.finish if isinstance(r, Placed)]
     sewn = [spots.parts[name] for name in bare if name in spots.parts]
+    # A fish of two pieces lies on its side, whether it has an eye or not: nothing is sewn to it that would stand.
+    bears = {
+        spots.parts[r.spot.part] for r in built.pattern.finish if isinstance(r, Placed) and r.spot.part in spots.parts
+    }
+    sewn = [k for k in sewn if k in bears or not (LIES & set(_named(built, k).words) and spots.in_rows[k])]
     kept = {int(piece[graph.parts[k].start]) for k in sewn if not _named(built, k).worn}
     floor = float(min(x[piece == k, 1].min() for k in (kept or {int(np.bincount(piece).argmax())})))
     for k in range(int(piece.max()) + 1):

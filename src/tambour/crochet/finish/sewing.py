@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
+from tambour.crochet.finish.brims import HATS
 from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, whole
@@ -45,6 +47,8 @@ DISC, GROWS = 12, 5.0
 """A flat circle has so many stitches or more round its edge, and so many for every round."""
 FAN = 3
 """A fan begins with so few stitches, and its last row has so many for every row, or more."""
+CROWN = re.compile(r"\b(?:crowns?|krone|corona|couronne|kroon)\b")
+"""What stands on a head on its lower edge, as a hat does."""
 STRIP = 3
 """A piece in rows is a strip where its last row has so many stitches to a row, or more."""
 ALONG = 0.9
@@ -86,6 +90,10 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     elif rows:
         if placed.flat and len(loop := spots.edge(part)) > 3:
             return End(loop, True, none, True)
+        if (HATS.search(placed.part.lower()) or CROWN.search(placed.part.lower())) and len(
+            brim := _brim_of_rows(built, spots, part)
+        ) > 3:
+            return End(brim, True, none)
         nodes = _end_of_rows(built, spots, part)
     else:
         nodes = spots.sewn_rim(part)
@@ -173,6 +181,25 @@ def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
         return np.sort(own[reach > -0.6])
     wide = mine[1] if len(mine) > 1 and len(mine[1]) >= len(first) else first
     return wide if len(last) <= 2 < len(wide) else last
+
+
+def _brim_of_rows(built: Built, spots: Spots, part: int) -> Array:
+    """The edge (M,) of a hat that was worked in rows and sewn to a tube: of one whose last row is sewn to its first where its rows begin,
+    all round; of one whose rows are closed, a crown, its first row; none of what is no tube."""
+    rows = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part and r.count]
+    pairs = built.sewn.reshape(-1, 2)
+    pairs = pairs[(built.graph.part[pairs] == part).all(1)]
+    if len(rows) < 2 or not len(pairs):
+        return np.zeros(0, int)
+    ends = np.isin(pairs, rows[0]).any(1) & np.isin(pairs, rows[-1]).any(1)
+    if ends.mean() > 0.5:
+        edge = [int(rows[0][0])]
+        for row in rows[1:]:  # rows are turned: the edge goes on where the next one begins, or ends
+            tips = row[[0, -1]]
+            edge.append(int(tips[np.argmin(length(spots.layout[tips] - spots.layout[edge[-1]]))]))
+        return np.array(edge)
+    of = built.graph.round[pairs]
+    return rows[0] if (of[:, 0] == of[:, 1]).mean() > 0.5 else np.zeros(0, int)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

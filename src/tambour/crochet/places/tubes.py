@@ -15,7 +15,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.places.names import Made
 
-_SEWN: Final = r"[^.\n]{0,80}\b(?:tog(?:ether)?\b|to form (?:a )?tube|to form (?:a )?ring|seam)"
+_SEWN: Final = r"[^.\n]{0,80}\b(?:tog(?:ether)?\b|to form (?:a )?(?:tube|ring|circle)|seam)"
 _BY: Final = r"\b(?:sew|seam|join|close|connect|(?:whip|mattress)\s?-?stitch|sl(?:ip)?\s?-?st(?:itch(?:es)?)?s?|sc|single crochet|crochet)\b"
 _LAST: Final = r"(?:last row|row \d+|final row)"
 _FIRST: Final = r"(?:the )?(?:first|1st|row 1\b|foundation|beginning|starting|initial|chain)"
@@ -37,7 +37,7 @@ _BACK: Final = re.compile(r"\b(?:sew|seam)\s+(?:the\s+)?(?:back|centre back|cent
 _FOLDED: Final = re.compile(
     r"\bfold[^.\n]{0,40}\bin half lengthwise\b[^\n]{0,60}\b(?:both thicknesses|along edge|edges)\b"
 )
-_TUBE: Final = re.compile(r"\b(?:sew|seam)[^.\n]{0,60}\bto form (?:a )?(?:tube|ring)\b")
+_TUBE: Final = re.compile(r"\b(?:sew|seam)[^.\n]{0,60}\bto form (?:a )?(?:tube|ring|circle)\b")
 _LEAST: Final = 4
 """A piece of fewer rows is no tube."""
 _SAME: Final = 0.6
@@ -77,7 +77,7 @@ def tubes(built: Built) -> list[tuple[int, int]]:
         if len(rows) < _LEAST:
             continue
         across = folded or _ROWS.search(said) or (_SHORT.search(said) and len(rows) > widest)
-        along = _SIDES.search(said) or _BACK.search(said) or _SHORT.search(said)
+        along = _SIDES.search(said) or _BACK.search(said) or _SHORT.search(said) or (hollow and not folded)
         x = spots.layout[:, 0]
         if across:
             one, other = (r[np.argsort(x[r], kind="stable")] for r in (rows[0], rows[-1]))

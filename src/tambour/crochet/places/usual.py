@@ -214,6 +214,13 @@ def usual(
                 way = Way((0.95, -0.3, ahead), _ACROSS, flat=False)
             made += [way, way.mirrored()]
         return made
+    if kind == "tail":  # strands, or feathers, side by side
+        way = (_LYING.get(kind) if lying else None) or _SINGLE[kind]
+        aside = np.linspace(0.2, -0.2, copies)
+        return [
+            replace(way, at=(float(x), *way.at[1:]), axis=(float(x), *(way.axis or way.at)[1:]), flat=True)
+            for x in aside
+        ]
     if kind == "spike":
         back = np.linspace(0.0, 1.0, copies)
         down = 60.0 if words & {"tail"} else 130.0  # above the tail, where there is one
