@@ -177,3 +177,12 @@ def test_a_fish_of_two_pieces_lies_though_it_has_eyes() -> None:
     piece = make(Text(f"Pond friend\n\n{fish}{end}", "toy.txt"), CrochetParams(tolerance=0.05), Progress())
     wide, high, _ = np.ptp(piece.positions, axis=0)
     assert wide > 1.3 * high
+
+
+def test_eyes_of_a_head_begun_in_the_middle_of_its_face_are_on_the_face() -> None:
+    """It was taken for a head with a snout, which ends where it is widest: the eyes were on the hair."""
+    head = HEAD.split(" Insert")[0].replace("HEAD\n", "HEAD\nBeginning at center of face, with white.\n", 1)
+    said = "FINISHING\nEmbroider French knot eyes; embroider smile.\n"
+    pattern = read_printed(Text(f"Doll\n\n{head}\n\n{said}", "toy.txt"))
+    eyes = [f for f in pattern.finish if isinstance(f, Embroidery) and f.motif.endswith("eyes")]
+    assert len(eyes) == 2 and all(1 < s.round <= 4.5 for eye in eyes for s in eye.spots)

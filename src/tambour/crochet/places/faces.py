@@ -32,6 +32,10 @@ _CLEAR: Final = 0.6
 """Eyes stay so many stitches clear of a snout, and are moved up by as many at a time."""
 _AHEAD: Final = -0.7
 """A head that is worked from its nose runs back from it by so much, as a cosine."""
+_FACE_FIRST: Final = re.compile(
+    r"\b(?:beg\w*|start\w*|work\w*)\.?\s+(?:at|from|in)\s+(?:the\s+)?(?:cent(?:er|re)|middle) of (?:the )?face\b"
+)
+"""That a head is worked from the middle of its face."""
 _UNDER_NOSE: Final = 0.4
 """How far below its middle the mouth of such a head is, in halves of its height."""
 _NOSE: Final = 1.2
@@ -134,7 +138,8 @@ class Facer(Putter):
             near = host.near(there)
             level, stitch = near.round, near.stitch or 1.0
             level = self._in_one_color(host, level) if point is None else level  # what is said stays
-            if point is None and self._ahead(host) and not f.where.words - {"sides", "front"}:
+            snout = self._ahead(host) and not self._begins_at_face(host)
+            if point is None and snout and not f.where.words - {"sides", "front"}:
                 level = self._behind_snout(host)
                 stitch = host.in_round(level, _CHEEKS if "cheek" in f.what else _BROW)
         middle, count = host.middle(level), host.count(level)
@@ -147,6 +152,13 @@ class Facer(Putter):
         made = next(p for p in self.work.parts if host.name in {p.copy(k) for k in range(1, p.copies + 1)})
         lies = self._lies((self.work.main, 1)) and not self._swims() and (made == self.work.main or made.kind == "head")
         return (lies and host.axis[2] < -0.7) or self.work.nose_first(made)
+
+    def _begins_at_face(self, host: Host) -> bool:
+        """Whether a head is worked from the middle of its face, a disc that bears the eyes, and not from a nose."""
+        made = next(p for p in self.work.parts if host.name in {p.copy(k) for k in range(1, p.copies + 1)})
+        part = next(p for p in self.work.built.pattern.parts if p.name == made.name)
+        first = part.lines[0].span.start if part.lines else part.span.end
+        return _FACE_FIRST.search(self.work.text, part.span.start, max(first, part.span.start) + 60) is not None
 
     def _swims(self) -> bool:
         return any(p.kind in ("fluke", "fin") for p in self.work.parts)
