@@ -15,7 +15,7 @@ from tambour.core.progress import Progress
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.page.angle import VIEW
 from tambour.crochet.page.annotated import view as edited
-from tambour.crochet.page.assembly import _held
+from tambour.crochet.page.assembly import held
 from tambour.crochet.page.begin import _hows, _merged, _ways
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.charted import helps
@@ -51,7 +51,7 @@ def notes(of: Book, part: str) -> str:
     """What stands under the step that sews a part on."""
     built = of.piece.built
     step = next(s for s in steps(of.piece) if part in {built.graph.parts[k].name.rstrip(" 123456") for k in s.fresh})
-    return " ".join(_held(of, step))
+    return " ".join(held(of, step.records))
 
 
 def test_how_ends_are_sewn_on_is_said_by_kind() -> None:
@@ -131,14 +131,17 @@ def test_what_nobody_says_of_the_stuffing_and_of_colours_is_noted_once() -> None
 
 def test_a_chain_is_not_turned_before_its_first_row() -> None:
     said = [said for said, _ in rows(shop("mushroom-house"), "DOOR")]
-    assert "Use brown, 6 ch." in said and any("from the 2nd ch" in one for one in said)
+    assert "With brown yarn, ch 6." in said and any("from the 2nd ch" in one for one in said)
 
 
 def test_hands_are_told_what_they_must_know() -> None:
     door = [said for said, _ in rows(shop("toadstool"), "DOOR")]
     assert "Row 1 from the 2nd ch from the hook: 5 sc, turn" in door
     legs = [said for said, _ in rows(shop("pickles"), "FRONT LEGS")]
-    assert "Change to grey, with the last yarn over of the stitch before." in legs and "Use cream." in legs
+    assert (
+        "Change to grey, with the last yarn over of the stitch before." in legs
+        and "FRONT LEGS (make 2, start with cream)" in legs
+    )
     assert _ways(shop("toadstool")) == [
         "spiral",
         "turning text",

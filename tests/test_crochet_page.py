@@ -309,10 +309,14 @@ def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_her
     lines = plain(hers()).text.splitlines()
     eyes, stuff, last = (
         next(k for k, line in enumerate(lines) if word in line)
-        for word in ("fingers still reach", "Stuff firmly", "Rnd 13")
+        for word in ("› Now, while fingers still reach", "› Stuff.", "Rnd 13")
     )
     assert eyes < last and stuff < last
-    assert sum("eyes" in line for line in lines) == 1
+    hers_ = [
+        lines.index(words)
+        for words in ("Stuff firmly.", "- Put 8 mm safety eyes between rounds 6 and 7, 8 stitches apart.")
+    ]
+    assert last < hers_[0] < hers_[1]  # where she says them
     assert "Rnd 3: [sc, inc] x 6 [as written it makes 18] (17)" in lines
 
 

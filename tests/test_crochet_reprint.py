@@ -58,7 +58,7 @@ def reprint() -> str:
         "leaving a long tail.",
         "Sew the bottom edge closed.",
         "Do not stuff.",
-        "Do not join, place marker.",
+        "do not join, place marker.",
         "Sew the paws to the body between rounds 5 and 6, 6 stitches apart.",
         "With black yarn, embroider two closed eyes on the body over round 4, in backstitch.",
         "Brush him a little.",
@@ -74,12 +74,13 @@ def test_a_count_of_two_rounds_is_the_last_ones(reprint):
     assert "as written" not in reprint and "at end of" not in reprint
 
 
-def test_stitches_into_a_ring_are_no_increase(reprint):
-    assert "Rnd 1: 6 sc in magic ring (6)" in reprint
+def test_a_round_that_begins_on_chains_is_no_ring(reprint):
+    """Two chains and six stitches in the second are drawn as a ring; she begins otherwise, and says how."""
+    assert "With A, ch 2.\nRnd 1: 6 sc in 2nd ch from hook (6)" in reprint and "magic ring" not in reprint
 
 
 def test_sentences_stand_in_their_order(reprint):
-    order = ["Rnd 4-9", "Do not join", "Stuff Body", "Rnd 10", "Fasten off, leaving", "bottom edge closed", "PAW"]
+    order = ["Rnd 4-9", "do not join", "Stuff Body", "Rnd 10", "Fasten off, leaving", "bottom edge closed", "PAW"]
     places = [reprint.index(words) for words in order]
     assert places == sorted(places)
 
@@ -120,7 +121,7 @@ def test_yarns_keep_the_letters_that_she_gives_them():
     piece = make(Text(text, "rug.txt"), CrochetParams(solver="none"), Progress())
     said = plain(piece).text
     assert list(piece.built.pattern.letters) == ["C", "B", "A"]
-    assert "Use color C" in said and "Row 2: change to color B" in said and "Row 3: change to color A" in said
+    assert "With C, ch 7." in said and "Row 2: With B, ch 1" in said and "Row 3: With A, ch 1" in said
     assert "A, B, and C = Color A, Color B, and Color C" in said and "\n- C = " not in said
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -30,6 +31,14 @@ _CLOSED = re.compile(
     re.IGNORECASE,
 )
 """How she says that an end is closed."""
+_LOCKED = re.compile(
+    r"\b(?:safety|snap|plastic|lock\w*|washers?|animal|doll|craft|toy|glass|\d+\s*mm)\b", re.IGNORECASE
+)
+"""Eyes that are put in from outside and locked inside."""
+_SEWN = re.compile(
+    r"\b(?:beads?|buttons?|felt|glue\w*|embroider\w*|sew\w*|stitch\w*|french|crochet\w*)\b", re.IGNORECASE
+)
+"""Words of eyes that are put on from outside, when all else is done."""
 _LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
 _SMALL = 0.6
@@ -77,14 +86,16 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     return min(tried, key=lambda chunks: _pages(book, chunks))
 
 
-def steps_said(book: Book) -> list[tuple[str, list[str]]]:
-    """The sentences of all steps, each with what is noted under it, or of it, as that the place is a guess."""
+def guesses(book: Book) -> list[tuple[str, list[str]]]:
+    """What we put on a designer's toy of which no sentence of hers says where, a sentence each with what is noted under it."""
+    finish = book.piece.built.pattern.finish
     made = list[tuple[str, list[str]]]()
-    for words, notes in (line for _, said in _told(book) for line in said):
-        if words == book.own["guess"] and made:
-            made[-1] = (made[-1][0], [words, *made[-1][1], *notes])
-        else:
-            made.append((words, notes))
+    for step in steps(book.piece):
+        ours = [n for n in step.records if not book.words_of(finish[n])]
+        if ours and not _eyes_only(book, step):
+            said = [*map(book.called, book.spoken([finish[n] for n in ours]))]
+            made += [(words, []) for words in said[:-1]]
+            made.append((said[-1], [book.own["guess"], *held(book, ours)]))
     return made
 
 
@@ -158,17 +169,17 @@ def _under(book: Book, step: Step, said: list[str]) -> list[list[str]]:
     finish = book.piece.built.pattern.finish
     of = [[n for n in step.records if (w := book.words_of(finish[n])) and s.startswith(w.rstrip("."))] for s in said]
     if sum(map(bool, of)) < 2 or {n for one in of for n in one} != set(step.records):
-        return [*([] for _ in said[1:]), _held(book, step)]
-    return [_held(book, replace(step, records=tuple(one))) if one else [] for one in of]
+        return [*([] for _ in said[1:]), held(book, step.records)]
+    return [held(book, one) if one else [] for one in of]
 
 
-def _held(book: Book, step: Step) -> list[str]:
+def held(book: Book, numbers: Sequence[int]) -> list[str]:
     """How the ends of a designer's parts are sewn on, which her sentence seldom says, and what else the pictures had to choose."""
     built = book.piece.built
     if book.hers is None:
         return []
     spots, made = Spots(built), dict[str, None]()
-    records = [built.pattern.finish[n] for n in step.records]
+    records = [built.pattern.finish[n] for n in numbers]
     for record in records:
         if not isinstance(record, Placed):
             continue
@@ -201,7 +212,14 @@ def _closed(book: Book, record: Placed) -> bool:
 
 def _eyes_only(book: Book, step: Step) -> bool:
     finish = book.piece.built.pattern.finish
-    return bool(step.records) and all(isinstance(finish[n], Eye) for n in step.records)
+    eyes = [r for r in (finish[n] for n in step.records) if isinstance(r, Eye)]
+    return bool(eyes) and len(eyes) == len(step.records) and put_early(book, eyes)
+
+
+def put_early(book: Book, eyes: Sequence[Eye]) -> bool:
+    """Whether eyes are put in while their part is open: such as are locked inside, and not beads, felt or thread."""
+    words = " ".join(dict.fromkeys(book.words_of(r) for r in eyes)).strip() if book.hers is not None else ""
+    return bool(_LOCKED.search(words)) or not _SEWN.search(words)
 
 
 def _names(book: Book, step: Step) -> str:

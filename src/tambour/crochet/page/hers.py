@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from html import unescape
 from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Eye, Placed
-from tambour.crochet.language.tree import Action, Line, Pattern
-from tambour.crochet.page.doubted import doubted
+from tambour.crochet.language.tree import Pattern
 from tambour.crochet.page.instructions import by_people
+from tambour.crochet.page.ordered import Stretch, sentences_between, stretches
 from tambour.crochet.words.table import TERMS, Terms
 
 _HEAD: Final = re.compile(r"^[\s#*_=|]*(.*?)[\s*_=:|]*$")
@@ -43,7 +43,7 @@ _MORE: Final = frozenset(
 _NEEDED: Final = frozenset(
     ("supplies", "you will need", "what you need", "material", "notions", "tools", "you'll need", "you’ll need")
 )
-_TERMS: Final = frozenset(("stitches used", "terms", "stitch guide", "legend", "abbreviation"))
+_TERMS: Final = frozenset(("stitches used", "terms", "legend", "abbreviation"))
 _ASSEMBLY: Final = frozenset(
     [
         "assembly",
@@ -64,6 +64,8 @@ _ASSEMBLY: Final = frozenset(
 _TOGETHER: Final = re.compile(r"(?:putting|sewing|stitching|piecing|joining)(?: \w+){0,3} (?:together|up)")
 """How an assembly is headed besides: "Putting Pip together"."""
 _BULLET: Final = re.compile(r"^[\s#>*•–~☐-]+(?=\S)")
+_SIGN: Final = re.compile(r"\s*[*\[(†‡•+#-]+\s*(?:(?:or|and|to|,)\s*[*\[(†‡•+#-]+\s*)*[\])]?\s*[=:]")
+"""A line that says what a sign means: "* or ** = repeat"."""
 _POINT: Final = re.compile(r"^\s*[*•–~☐·-]\s*\S")
 _SIGNS: Final = "\\s~=_|\u2500-\u27bf\ufe0f\U0001f300-\U0001faff"
 _ORNAMENT: Final = re.compile(rf"^[{_SIGNS}]+|[{_SIGNS}]+$")
@@ -104,8 +106,6 @@ _TERM: Final = re.compile(
     r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*"
     r"(?=[;|\n]|,[ \t]*[\w./()]{1,10}[ \t]*=|$)"
 )
-_YARNS_AS: Final = re.compile(r"\bmake \d+ (?:using|with) \S+ as colou?r\b", re.IGNORECASE)
-"""A heading that also says in which yarns: "Motif 1: Make 6 using A as Color 1; B as Color 2"."""
 _SEVERAL: Final = re.compile(
     r"(?P<said>[A-Z]{1,2}(?:(?:, ?| & |,? and )[A-Z]{1,2})+)[ \t]*=[ \t]*(?P<meaning>[^=;|\n]{2,90})"
 )
@@ -121,6 +121,10 @@ _MORE_OF: Final = re.compile(
     r"(?:they|it|this|these|those|both|each|make sure|be sure|check|use|leave|stuff|add)\b", re.IGNORECASE
 )
 """How a sentence begins that says more of the one before it."""
+_SPECIAL: Final = frozenset(
+    ("special stitches", "special stitch", "special abbreviations", "stitch guide", "pattern stitches")
+)
+_WORD: Final = re.compile(r"[^\W_]+")
 _NOTES: Final = ("notes", "note", "pattern notes", "tips")
 _MOSTLY: Final = 0.8
 """A sentence of which a step says this share is not said twice."""
@@ -134,13 +138,19 @@ _WORDS: Final = 5
 """A line of so many words that ends as a sentence does is one, also below a list."""
 
 
+_NAMES: Final = 3
+"""So few words without a point head what stands below them."""
+
+
 @dataclass
 class Hers:
     """A designer's sentences. intro : before the parts; closing : after them, but what puts the parts together.
 
     materials : her list of them, line by line; terms : her abbreviations and what they mean; designer : "" unsaid
     size : what she says of it in a sentence ("about 25 cm (10") tall"), "" for nothing
-    inside : place of a part among the pattern's → (the round after which it stands, 0 before the first; sentence)
+    starts : where her parts begin, and which; worked : what of her text lines came of; inside : place of a part among the pattern's → (the round after which it stands, 0 before
+        the first; sentence; its place); told : places of those that a step of the assembly tells; headed : her headings (part, words, place)
+    finishing : all sentences of the assembly, and their places; listed : her lists of abbreviations and stitches, line by line
     beside : of a sentence that puts something somewhere (from, to) → those behind it in its line that say more of it
     ahead : the same → those that stand before it and behind the one before; assembly : where in her text it begins
     """
@@ -154,12 +164,24 @@ class Hers:
     beside: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     ahead: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     closing: list[str] = field(default_factory=list)
+    starts: list[tuple[int, int]] = field(default_factory=list)
+    worked: list[Stretch] = field(default_factory=list)
+    told: set[tuple[int, int]] = field(default_factory=set)
+    headed: list[tuple[int, str, Span]] = field(default_factory=list)
+    finishing: list[tuple[str, Span]] = field(default_factory=list)
+    listed: list[str] = field(default_factory=list)
     assembly: int = 1 << 60
+
+    def part_at(self, at: int) -> int:
+        """The part that a place of the text belongs to."""
+        return max(((start, k) for start, k in self.starts if start <= at), default=(0, 0))[1]
 
     @property
     def sentences(self) -> list[str]:
         """All that is set in her words among the rounds and behind them."""
         among = [words for said in self.inside.values() for _, words, _ in said]
+        among += [words for words, _ in self.finishing]
+        among += [" ".join(one.words.split()) for one in self.worked if not one.plain]
         steps = [words for said in (*self.beside.values(), *self.ahead.values()) for words in said]
         return [*among, *self.closing, *steps]
 
@@ -176,63 +198,49 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     assembly = {*_ASSEMBLY, terms.word("assembly").lower()}
     lines = [(m.start(), m.end(), m[0]) for m in re.finditer(r"[^\n]+", text)]
     starts = sorted((at.start, k) for k, s in enumerate(pattern.parts) if not s.twin for at in (s.span, *s.also))
+    made.starts = starts
     heads = {text.rfind("\n", 0, a) + 1 for a, _ in starts}
     first = starts[0][0] if starts else 0
     last = starts[-1][0] if starts else len(text)
     assembles = [a for a, _, line in lines if _plain(line) in assembly or _TOGETHER.fullmatch(_plain(line))]
-    after = made.assembly = next((a for a in assembles if a > last), len(text))
-    named = [part.span for part in pattern.parts]
-    covered = [line.span for part in pattern.parts for line in part.lines if not _ends(line)]
-    unread = [u.span for u in pattern.unread if u.span is not None]
-    whole = doubted(pattern)  # printed in her words from end to end
-    loose = [
-        s
-        for s in (*pattern.passed, *unread)
-        if any(c.start < s.start and s.end <= c.end for c in covered)
-        and not any(c.start <= s.start and s.end <= c.end for c in whole)
-    ]
+    begun = [a for a, _, line in lines if _plain(line.partition(":")[0]) in assembly]  # "Finishing: Sew the ears on."
+    after = made.assembly = min((a for a in (*assembles, *begun) if a > last), default=len(text))
     finishing = {_span(record) for record in pattern.finish}
     worked = [r for r in pattern.finish if isinstance(r, Eye) or (isinstance(r, Placed) and r.through)]
     stepped = [record.span for record in pattern.finish if record not in worked]
     _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
     made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
     waiting: list[str] = []  # what she says before the next step
-    partly: list[Span] = []  # sentences of which a round is worked
-    rest = next(
-        (m.start() for m in _REST.finditer(text, max(last, max((s.start for s in covered), default=0)))), len(text)
-    )
+    covered = [line.span.start for part in pattern.parts for line in part.lines]
+    rest = next((m.start() for m in _REST.finditer(text, max(last, max(covered, default=0)))), len(text))
+    made.worked = [
+        replace(
+            one, words="\n".join(line for line in one.words.split("\n") if not (_AD.match(line) or _FOOT.match(line)))
+        )
+        for one in stretches(pattern, text.rfind("\n", 0, first) + 1, rest)
+    ]
+    named = {at.start: at for s in pattern.parts for at in (s.span, *s.also)}
     for a, b, _ in _whole([one for one in lines if one[0] < rest], text, heads):
         if (a < first and a not in heads) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, _AD, _FOOT)):
             continue
         if a >= after:
-            if a not in assembles:
-                _closing(made, text, a, b, finishing, {(s.start, s.end) for s in stepped}, waiting)
+            if a != after or a not in assembles:
+                pieces = list(sentences_between(text, a, b, made.worked))
+                made.finishing += [one for c, d in pieces for one in _sentences(text, c, d)]
+                for c, d in pieces:
+                    _closing(made, text, c, d, finishing, {(s.start, s.end) for s in stepped}, waiting)
             continue
-        part = max(((start, k) for start, k in starts if start <= a), default=(0, 0))[1]
-        for words, span in _sentences(text, a, b):
-            if any(_told(span, step) for step in stepped):
-                continue  # a step of the assembly says it
-            if _YARNS_AS.search(words) or (
-                not any(c.start < span.end and span.start < c.end for c in named if a in heads)
-                and not any(c.start < span.end and span.start < c.end for c in covered)
-            ):
+        for c, d in sentences_between(text, a, b, made.worked):
+            for words, span in _sentences(text, c, d):
+                part = max(((start, k) for start, k in starts if start < span.end), default=(0, 0))[1]
+                if any(span.start <= at < span.end for at in named):
+                    made.headed.append((part, words, span))
+                    continue
+                if any(_told(span, step) for step in stepped):
+                    made.told.add((span.start, span.end))  # a step of the assembly says it
                 made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
-            else:
-                partly.append(span)
     made.closing += waiting
-    loose += [
-        s
-        for s in pattern.passed
-        if any(p.start <= s.start and s.end <= p.end for p in partly)
-        and not any(c.start < s.end and s.start < c.end for c in (*covered, *named))
-    ]  # "Work 6 sc in ring; do not join"
-    for span in sorted(loose, key=lambda s: s.start - s.end):
-        if any(one.start <= span.start and span.end <= one.end for said in made.inside.values() for _, _, one in said):
-            continue
-        part = max(((start, k) for start, k in starts if start <= span.start), default=(0, 0))[1]
-        words = _clean(text[span.start : span.end])
-        if _LETTER.search(words):
-            made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
+    made.intro += _left(made, pattern, [one for one in lines if one[0] < first and one[0] not in heads])
     for said in made.inside.values():
         said.sort(key=lambda one: one[2].start)
     return made
@@ -248,6 +256,7 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
     mode, unended = "", False
     end = -1
     for a, b, line in lines:
+        headline = False
         plain, gap, end = _plain(line), "\n" in text[end + 1 : a] if end >= 0 else True, b
         head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip().removeprefix("uk ").removeprefix("us ")
         by = _BY.match(line) if not made.designer and len(line) < 90 else None
@@ -262,22 +271,24 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
             )  # "Yarn: DK in blue" among them
         elif head in _NOTES:
             mode = ""
-            made.intro += [_clean(line)] if plain != head else []
+            made.intro += [cleaned(line)] if plain != head else []
         elif head in _MORE or head.rstrip("s") in _MORE or any(head in said for said in spoken.values()):
+            headline = True
             mode = "terms" if head in _TERMS or head in spoken["abbreviations"] else "listed"
+            mode = "special" if head in _SPECIAL or head in spoken["special stitches"] else mode
             mode = "materials" if head in _NEEDED or head in spoken["materials"] else mode
         elif not mode and a in lists:
             mode = "materials"
-        elif mode and not (gap and sentence):
+        elif mode and (not (gap and sentence) or (mode == "materials" and _stated(pattern, a, b))):
             if mode == "materials":
                 made.materials.append(_ORNAMENT.sub("", " ".join(_BULLET.sub("", line).split())))
         elif not _stated(pattern, a, b):
             mode = ""
             broken = unended and (long >= _BROKEN or line[:1].islower())
             if not gap and made.intro and broken and not _BULLET.match(line):
-                made.intro[-1] = _clean(f"{made.intro[-1].rstrip('.')} {line}")  # a line that she broke herself
+                made.intro[-1] = cleaned(f"{made.intro[-1].rstrip('.')} {line}")  # a line that she broke herself
             else:
-                made.intro.append(_clean(line))
+                made.intro.append(cleaned(line))
             unended = not line.rstrip().endswith((".", "!", "?", ":", ")"))
             long = len(line)
         else:  # what else it says than its gauge or size
@@ -287,13 +298,53 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
             ]
             made.intro += [" ".join(said)] if said else []
         if mode == "terms":
-            plain = _BULLET.sub("", line)
+            plain = line.strip() if _SIGN.match(line) else _BULLET.sub("", line)
+            words = plain.partition(":")[2] if headline else plain
+            made.listed += [" ".join(words.split())] if _WORD.search(words) else []
             several = _SEVERAL.fullmatch(plain.strip())
             made.terms |= (
                 {several["said"]: several["meaning"].strip()}
                 if several is not None
                 else {m["said"]: m["meaning"].strip() for m in _TERM.finditer(plain)}
             )
+        elif mode == "special":
+            words = line.partition(":")[2] if headline else line
+            made.listed += [" ".join(_BULLET.sub("", words).split())] if _WORD.search(words) else []
+
+
+def _left(made: Hers, pattern: Pattern, lines: list[tuple[int, int, str]]) -> list[str]:
+    """The sentences before the parts that none of her lists holds, nor what she states."""
+    text, printed = pattern.text.text, ("title", "gauge", "size") if made.materials else tuple(pattern.stated)
+    stated = [pattern.stated[key][0] for key in printed if key in pattern.stated]
+    kept = _run(" | ".join([*made.intro, *made.materials, *made.listed, *stated, made.designer]))
+    known = {
+        *_MORE,
+        *_NEEDED,
+        *_TERMS,
+        *_NOTES,
+        *_SPECIAL,
+        "instructions",
+        "pattern",
+        "directions",
+        "abbreviations",
+        "materials",
+        "gauge",
+    }
+    found: list[str] = []
+    for a, b, line in lines:
+        if _plain(line) in known or _AD.match(line) or _FOOT.match(line) or _BY.match(line):
+            continue
+        found += [
+            words
+            for words, _ in _sentences(text, a, b)
+            if _run(words) not in kept and _run(words.partition(":")[2] or words) not in kept
+        ]
+    return found
+
+
+def _run(words: str) -> str:
+    """Words alone, each between blanks."""
+    return f" {' '.join(_WORD.findall(words.lower()))} "
 
 
 def _lists(lines: list[tuple[int, int, str]]) -> set[int]:
@@ -360,23 +411,19 @@ def _closing(
             waiting[-1] += f" {words}"  # a paragraph of hers
 
 
-def _ends(line: Line) -> bool:
-    """Whether a line only joins or fastens off, which she says in her own words."""
-    return not line.in_round and all(isinstance(i, Action) and i.name in ("join", "fo") for i in line.items)
-
-
 def _plain(line: str) -> str:
     found = _HEAD.match(line)
     return found[1].strip().lower() if found else ""
 
 
-def _clean(words: str) -> str:
+def cleaned(words: str) -> str:
+    """A sentence without what lists and Markdown put about it, and with its point."""
     if words.lstrip().startswith("|"):  # a row of a table
         words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
     words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))
     words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
     words = _ORNAMENT.sub("", words).rstrip(",;")
-    return words if not words or words[-1] in ".!?:)" or words.isupper() else f"{words}."
+    return words if not words or words[-1] in ".!?:)" or words.isupper() or len(words.split()) < _NAMES else f"{words}."
 
 
 def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
@@ -386,7 +433,7 @@ def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
     for piece in _SENTENCE.split(text[a:b]):
         begin = text.index(piece, at)
         at = begin + len(piece)
-        words = _clean(piece)
+        words = cleaned(piece)
         if _LETTER.search(words):
             made.append((words, Span(begin, at)))
     return made

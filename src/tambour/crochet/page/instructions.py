@@ -58,7 +58,7 @@ def _text(made: Words, name: str) -> Text:
     for key, said in (("gauge", made.gauge), ("finished size", made.size)):
         lines += [f"**{word(key)}:** {said}", ""] if said else []
     lines += [f"## {word('abbreviations')} ({made.named})", ""]
-    lines += [*(f"- {said} = {meaning}" for said, meaning in made.abbreviations), ""]
+    lines += [*(f"- {said} = {meaning}" if meaning else f"- {said}" for said, meaning in made.abbreviations), ""]
     if made.special:
         lines += [
             f"## {word('special stitches')}",
@@ -70,7 +70,8 @@ def _text(made: Words, name: str) -> Text:
         lines += [f"## {part.title}", "", *part.settings]
         lines += [*(f"{said}  " for said in part.lines), ""]  # each a line of its own in Markdown as well
     if made.seams or made.finish:
-        lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in (*made.seams, *made.finish)), ""]
+        said_ = [said if said.startswith("›") else f"- {said}" for said in (*made.seams, *made.finish)]
+        lines += [f"## {word('assembly')}", "", *said_, ""]
     return Text("\n".join(lines).rstrip("\n") + "\n", name)
 
 

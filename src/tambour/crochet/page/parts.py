@@ -5,17 +5,16 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from tambour.core.errors import Span
 from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, Placed, spots_of
+from tambour.crochet.language.finishes import Placed, spots_of
+from tambour.crochet.page.among import noted, with_hers
 from tambour.crochet.page.assembly import DOTS
 from tambour.crochet.page.begin import heading, photo
 from tambour.crochet.page.book import OWN, Book, cropped
 from tambour.crochet.page.flow import Atom, Chunk, plan, together
 from tambour.crochet.page.middle import marked
 from tambour.crochet.page.pictures import of_parts
-from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.type import BODY, HAIR, INK, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.page.wording import PartText, Row
 from tambour.render.page import Page
@@ -24,20 +23,16 @@ _THUMBS = (30.0, 25.0, 21.0)
 """How high pictures of a part are, mm: as high as costs no page."""
 _SOME, _UPRIGHT = 6, 0.8
 """Rounds of a part that others are put on, or more; and how upright it is, as a cosine."""
+_SAYS_COLOR = 4
+"""A sentence of hers of so few words that changes the colour says nothing else."""
 _WHOLE = 0.8
 """A part that takes no more than this of a column is not broken."""
 _TICK, _NEXT, _FIVE = 2.5, 3.2, 1.0
 """A box to tick, from one to the next, and the gap after five, mm."""
-_WHICH = re.compile(r"(?:the )?(?:first|second|1st|2nd|other|left|right) \w+\W*$", re.IGNORECASE)
-"""A heading of one of two pieces that are written as one."""
 _STUFFS = re.compile(
     r"\bstuff(?!ing\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill\b"
 )
 """How a designer says that something is stuffed; "weigh your stuffing" does not."""
-_FASTENS = re.compile(r"\b(?:fasten|finish|bind|tie) off\b[^.;\n]*", re.IGNORECASE)
-"""How she says that a piece is done, up to the end of the sentence."""
-_ROUND = re.compile(r"^\W*(?:rounds?|rnds?|rd|r)\.?\s*(\d+)(?:\s*[-–]\s*(?:r)?(\d+))?", re.IGNORECASE | re.MULTILINE)
-_WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 
 
 def rounds(book: Book) -> list[Chunk]:
@@ -142,7 +137,7 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
 
         return Atom(len(lines) * size * LEADING + 1.0, alone, 0.4, keep=bool(changes))
     left = _TICK + 2.0 + label
-    lines = wrap(row.words, BODY, width - left - count) or [""]
+    lines = wrap(f"{row.words} {row.doubt}".strip(), BODY, width - left - count) or [""]
     ticks, below = _ticks(row.times, width - left - count, width_of(lines[-1], BODY) + 2.0)
     lines += [""] * below
     tall = len(lines) * BODY * LEADING + 1.1
@@ -170,8 +165,10 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     own, made, begun = book.own, list[Row](), False
     chain = _first_chain(book, block)
     for row in rows:
-        words = row.words.strip("*") if _noted(row) else row.words  # set in italics elsewhere
-        if not row.label and row.colors and begun:
+        words = row.words.strip("*") if noted(row) else row.words  # set in italics elsewhere
+        if row.hers and not (row.colors and not row.label and len(words.split()) <= _SAYS_COLOR):
+            pass  # in her own words
+        elif not row.label and row.colors and begun:
             words = f"{own['in last loop'].format(change=words.rstrip('.'))}."
         elif row.label and not begun and 2 <= chain <= 9:
             words = own["from chain"].format(n=own["chain places"].split(",")[chain - 1], items=words)
@@ -243,153 +240,3 @@ def _way_up(book: Book, block: PartText) -> str:
         return ""
     said = book.said.terms.sentences["up end" if way[1] > 0.0 else "up start"]
     return f"{said[:1].upper()}{said[1:]}."
-
-
-def with_hers(book: Book, block: PartText) -> list[Row]:
-    """A part's lines with what the designer says between them, and with the eyes where hands can still reach."""
-    rows = list(block.lines)
-    said = book.hers.inside.get(block.section, []) if book.hers is not None else []
-    if block.span is not None:
-        said = [one for one in said if block.span[0] <= one[2].start < block.span[1]]
-        heads = {name.lower() for other in book.said.blocks for name in (other.name, other.title)}
-        said = [one for one in said if one[1].rstrip(".:").lower() not in heads and not _WHICH.match(one[1])]
-        said = [(_after(book, one[2]) or one[0], *one[1:]) for one in said]
-    if said:
-        whole = " ".join(words.lower() for _, words, _ in said)
-        ours = [(row, row.words.lower()) for row in rows if not row.label and not row.colors]
-        stuffs = _said(book, "stuff")
-        drop = [
-            row
-            for row, words in ours
-            if (stuffs & set(words.rstrip(".").split()[:1]) and _STUFFS.search(whole))
-            or (
-                words in _ends(book)
-                and re.search(
-                    r"fasten off|finish off|\bfo\b|break yarn|cut (?:the )?yarn|\bsl(?:ip)? ?st|\bjoin", whole
-                )
-            )
-        ]
-        drop += [row for row in rows if not row.label and row.words == _hung_on(book, block)]
-        rows = [row for row in rows if row not in drop]
-    # The colour, and which way it is worked, in her words.
-    dyed = next((k for k, row in enumerate(rows) if row.label or row.colors), 0)
-    mine = next((k for k, one in enumerate(said) if one[0] == 0 and _WITH.match(one[1])), -1)
-    if mine >= 0 and rows and rows[dyed].colors and not rows[dyed].label and _colour_alone(book, rows[dyed]):
-        rows[dyed], said = replace(rows[dyed], words=said[mine][1]), [*said[:mine], *said[mine + 1 :]]
-    if any("worked from" in words.lower() for _, words, _ in said):
-        ways = {f"{book.said.terms.sentences[key]}.".lower() for key in ("up end", "up start", "up side", "up back")}
-        rows = [row for row in rows if row.label or row.words.lower() not in ways]
-    eyes = _eyes_here(book, block)
-    end = len(rows)
-    for after, words, span in reversed(said):
-        begun = 1 if _begun(book, block, rows, span) else 0
-        at = next((k + 1 for k, row in enumerate(rows) if row.number >= after > 0), begun if after == 0 else end)
-        while after and at < len(rows) and _noted(rows[at]):
-            at += 1  # what is noted with the round stands with it
-        if words.split()[0].lower() in _said(book, "stuff"):
-            inside = reach([(row.count, bool(row.label)) for row in rows])
-            at = min(at, inside + 1) if inside >= 0 else at  # a closed piece takes no stuffing
-        rows.insert(at, Row("", words))
-        if (
-            eyes
-            and span.start < eyes[0].span.end
-            and eyes[0].span.start < span.end
-            and (apart := book.taken.eyes(eyes))
-        ):
-            rows.insert(at + 1, Row("", apart, ours=True))
-    if eyes and not any("eye" in words.lower() for _, words, _ in said):
-        level = max(r.spot.round for r in eyes)
-        last = max((row.count for row in rows), default=0)
-        open_ = next(
-            found
-            for share in (0.66, 0.5, 0.0)  # fingers and a washer want room, and as much of it as there is
-            if (found := [k for k, row in enumerate(rows) if row.number >= level and row.count >= share * last > 0.0])
-            or not share
-        )
-        at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
-        hers = book.words_of(eyes[0]) if _alone(book, eyes) else ""
-        rows.insert(at, Row("", eyes_now(book.own, [hers.rstrip(".") + "."] if hers else book.spoken(eyes))))
-        if hers and (apart := book.taken.eyes(eyes)):
-            rows.insert(at + 1, Row("", apart, ours=True))
-    return _fastened(book, block, rows)
-
-
-def _fastened(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
-    """The lines of a part with her word that it is fastened off, where it stands behind its last round: an open end is no stitch of
-    the round, and goes with it."""
-    lines = book.piece.built.pattern.parts[block.section].lines if book.hers is not None and block.section >= 0 else ()
-    last = next((k for k in range(len(rows) - 1, -1, -1) if rows[k].label), -1)
-    if not lines or last < 0 or block.span is not None or any(_FASTENS.search(row.words) for row in rows[last:]):
-        return rows
-    text, start = book.piece.built.pattern.text.text, lines[-1].span.start
-    end = text.find("\n", lines[-1].span.end - 1)
-    found = _FASTENS.search(text, start, len(text) if end < 0 else end)
-    if found is None:
-        return rows
-    words = " ".join(found[0].split())
-    said = f"{words[:1].upper()}{words[1:]}."
-    rest = [row for row in rows[last + 1 :] if not (_noted(row) and row.words.strip("*.").lower() in said.lower())]
-    return [*rows[: last + 1], Row("", said), *rest]
-
-
-def _noted(row: Row) -> bool:
-    return not row.label and row.words[:1] == row.words[-1:] == "*"
-
-
-def _hung_on(book: Book, block: PartText) -> str:
-    """What is said of a part that hangs from the loops of a round, which a designer says herself."""
-    name = book.piece.built.pattern.parts[block.section].name
-    hung = next(
-        (r for r in book.piece.built.pattern.finish if isinstance(r, Placed) and r.around and r.part == name), None
-    )
-    return "" if hung is None else f"{book.own['hung on'].format(n=f'{hung.spot.round:g}', part=hung.spot.part)}."
-
-
-def _after(book: Book, span: Span) -> int:
-    """The number of the round that stands before a sentence, by her text: of a piece that is made twice it is written once."""
-    text = book.piece.built.pattern.text.text
-    heads = list(_ROUND.finditer(text, max(0, text.rfind("\n\n", 0, span.start)), span.start))
-    return int(heads[-1][2] or heads[-1][1]) if heads else 0
-
-
-def _colour_alone(book: Book, row: Row) -> bool:
-    """Whether a row says a colour and no stitches."""
-    chain = book.said.terms.word("ch")
-    return re.search(rf"\b{re.escape(chain)}\b", row.words) is None
-
-
-def _begun(book: Book, block: PartText, rows: list[Row], span: Span) -> bool:
-    """Whether the chain that a part begins with stands before a sentence of hers, and is its first row."""
-    chain = book.said.terms.word("ch")
-    if not rows or rows[0].label or not re.search(rf"\b{re.escape(chain)}\b", rows[0].words):
-        return False
-    text, lines = book.piece.built.pattern.text.text, book.piece.built.pattern.parts[block.section].lines
-    heads = [line.span for line in lines if not line.number]
-    return any(s.start < span.start and re.search(r"\d", text[s.start : s.end]) for s in heads)
-
-
-def _alone(book: Book, eyes: list[Eye]) -> bool:
-    """Whether a sentence of hers says these eyes, and nothing else."""
-    spans = {r.span for r in eyes}
-    others = [r for r in book.piece.built.pattern.finish if r.span in spans and r not in eyes]
-    return len(spans) == 1 and not others
-
-
-def _eyes_here(book: Book, block: PartText) -> list[Eye]:
-    built = book.piece.built
-    name = built.pattern.parts[block.section].name
-    last = max((row.number for row in block.lines), default=0)
-    return [
-        r
-        for r in built.pattern.finish
-        if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1") and r.spot.round <= last + 1
-    ]
-
-
-def _said(book: Book, key: str) -> set[str]:
-    """The first words of what the language says of stuffing."""
-    return {s.split()[0].lower() for name, s in book.said.terms.sentences.items() if name.startswith(key)}
-
-
-def _ends(book: Book) -> set[str]:
-    return {f"{book.said.terms.sentences[key].lower()}." for key in ("close", "fasten off", "join")}

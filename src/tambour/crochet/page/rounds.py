@@ -65,12 +65,12 @@ class Rounds:
         first, last = line.number, line.number + line.times - 1
         number = f"{first}" if line.times == 1 else f"{first}-{last}"
         head = word + number if len(word) == 1 else f"{word} {number}"
-        words, count = self.items(line, closing), line.count
+        words, count, doubt = self.items(line, closing), line.count, ""
         if kind == "row" and not self.exact and line.pieces[-1][0][0].what == "again":
             words = re.sub(rf"\b{re.escape(self.terms.word('round'))}\b", word, words)
         if line.said and not self.exact:  # her count stays hers, with the doubt beside it
-            words, count = f"{words} [{self.terms.page['makes'].format(n=count)}]", line.said
-        return Row(head, words, count, last, hues_of(all_of(line)), times=line.times)
+            doubt, count = f"[{self.terms.page['makes'].format(n=count)}]", line.said
+        return Row(head, words, count, last, hues_of(all_of(line)), times=line.times, doubt=doubt)
 
     def items(self, line: Written, closing: bool) -> str:
         """The stitches of a line, brackets found."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from tambour.color import family
+from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import Terms
@@ -17,6 +18,7 @@ class Row:
 
     number : of its last round, 0 for none; colors : those it changes to
     ours : it is not the designer's, among her own; times : how many rounds it is
+    span : the line of the text that it came of; hers : it is in her words; doubt : what is told beside her count
     """
 
     label: str
@@ -26,9 +28,14 @@ class Row:
     colors: tuple[RGB, ...] = ()
     ours: bool = False
     times: int = 1
+    span: Span | None = None
+    hers: bool = False
+    doubt: str = ""
 
     def __str__(self) -> str:
-        head = f"{self.label}: {self.words}" if self.label else self.words
+        words = f"{self.words} {self.doubt}".strip() if self.doubt else self.words
+        head = f"{self.label}: {words}" if self.label else words
+        head = f"› {head}" if self.ours else head
         return f"{head} ({self.count})" if self.count else head
 
 

@@ -273,12 +273,14 @@ class Writer:
                 said = (
                     self.rounds.alone(line, closing) if not line.number else [self.rounds.numbered(line, kind, closing)]
                 )
+            said = [replace(row, span=line.line.span) for row in said] if line.line is not None else said
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
                 lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
             if stuffing and k == reached:
                 lines, stuffing = [*lines, *said, *(Row("", words) for words in stuffing)], []
                 said = []
-            lines += [*said, *(Row("", f"*{note}*") for note in self._notes(line))]
+            place = line.line.span if line.line is not None else None
+            lines += [*said, *(Row("", f"*{note}*", span=place) for note in self._notes(line))]
         name = self._heading(section.name, section.span) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
         if section.heading and not self.exact:
@@ -312,7 +314,10 @@ class Writer:
     def _heading(self, name: str, span: Span) -> str:
         """A part's name, as she heads it; with the word for a part before it, where it could be taken for another heading."""
         if not self.exact:  # "Head & Body" is called Head Body by those that look for it
-            words = r"\s*(?:&|\+|/|-|'|’|and|\s)\s*".join(map(re.escape, name.split()))
+            called = [
+                w for w in re.sub(r"_\d+$", "", name).split() if w.lower() != "and"
+            ]  # the third of three bodies is a Body
+            words = r"\s*(?:&|\+|/|-|'|’|and|\s)\s*".join(map(re.escape, called))
             hers = re.search(words, self.pattern.text.text[span.start : span.end], re.IGNORECASE)
             name = hers[0] if hers is not None else name
             number = re.fullmatch(r"part_(\d+)", name)

@@ -57,7 +57,8 @@ def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int,
         if done.what == "part":
             if section is not None:
                 through = _through(built, section) if inside else {}
-                yield section, first, _lines(section, keep, numbered, through, built.pattern.stitches, told)
+                apart = inside and bool(built.pattern.terms)  # her lines stay lines of their own
+                yield section, first, _lines(section, keep, numbered, through, built.pattern.stitches, told, apart)
             index, copy = done.numbers
             part += 1
             section, keep, first = (built.pattern.parts[index] if copy == 1 and index >= 0 else None), [], part
@@ -110,6 +111,7 @@ def _lines(
     through: Mapping[int, _Runs],
     stitches: Mapping[str, Stitch],
     told: frozenset[Span],
+    apart: bool = False,
 ) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
     of = [line for line in section.lines for _ in range(line.times)]
@@ -178,7 +180,7 @@ def _lines(
                     lead = tuple(((d,), 1) for d in _lead(made[since]))
                     one = replace(written, number=made[since].number, times=again.times, pieces=(*lead, ((again,), 1)))
                     made[since:], again = [one], None
-            elif before and _follows(before, written):
+            elif before and _follows(before, written, apart):
                 made[-1] = replace(before, times=before.times + 1, notes=written.notes)
             else:
                 if before and before.number == written.number and before.times == 1 and _only_chain(before):
@@ -207,18 +209,22 @@ def _only_chain(line: Written) -> bool:
     return all(d.what in ("ch", "oval", "color") for unit, _ in line.pieces for d in unit)
 
 
-def _follows(before: Written, written: Written) -> bool:
+def _follows(before: Written, written: Written, apart: bool) -> bool:
     return (
         bool(written.number)
         and (before.notes == written.notes or not before.notes)
         and before.pieces != ()
         and before.pieces[-1][0][0].what != "again"
         and before.number + before.times == written.number
-        and (before.line is written.line or not (before.hers or written.hers))
+        and (_same_line(before, written) or not (apart or before.hers or written.hers))
         and (before.count, before.said) == (written.count, written.said)
         and [(list(map(_key, unit)), n) for unit, n in before.pieces]
         == [(list(map(_key, unit)), n) for unit, n in written.pieces]
     )
+
+
+def _same_line(one: Written, other: Written) -> bool:
+    return one.line is not None and other.line is not None and one.line.span == other.line.span
 
 
 def _key(done: Done) -> tuple[object, ...]:
