@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.language.parse import parse
 from tambour.crochet.language.tree import Line, Pattern
+from tambour.crochet.printed.pasted import ours
 from tambour.crochet.printed.restated import restated
 
 if TYPE_CHECKING:
@@ -47,6 +48,8 @@ def read(
 
     Raises TambourError with every problem of the text, or with one line when it holds no instructions.
     """
+    if (said := ours(text.text)) != text.text:
+        text = replace(text, text=said)
     known = restated(text, max_stitches=max_stitches, strict=strict)
     if known is not None:
         return known

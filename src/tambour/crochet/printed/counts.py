@@ -121,6 +121,9 @@ def count(r: Reader, found: list[Item]) -> bool:
         inside = c.look(-2)
         if inside is not None and inside.end == found[-1].span.end:
             return False  # "(dusty blue) 4 sc (12)": those are worked in it
+    tied = c.look(sign + 1)
+    if c.whole(sign) == 1 and tied is not None and tied.value in ("slst", "ch"):
+        return False  # "6 sc in ring. 1 ss, 1 ch": what closes the round
     alone = c.mark(".", "|", ";", "-", ")", "]", ahead=-1) or c.key("join", "turn", "around", ahead=-1)
     alone = alone or (
         c.mark(",", ahead=-1) and c.key("join", ahead=-2) and not c.key("as", ahead=-3) and any(map(makes, found))
@@ -214,7 +217,8 @@ def counted_at(r: Reader, end: int) -> bool:
     ):
         return True
     named = len(inner) == 2 and inner[0] is numbers[0] and inner[1].kind == "stitch"
-    return named and (after is None or after.word == ".")
+    ends = after is None or after.word == "." or (after.word == ";" and end + 2 == len(c.tokens))
+    return named and ends  # "6 increases (12 single crochets);"
 
 
 def _lists(inner: list[Token]) -> bool:

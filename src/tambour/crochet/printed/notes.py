@@ -78,6 +78,9 @@ def plain_name(words: str) -> str:
 _RANKS: Final = re.compile(r"(\d+)(?:st|nd|rd|th)\s*(?:to|through|-|–)\s*(\d+)(?:st|nd|rd|th)\b", re.IGNORECASE)
 
 
+_HUED: Final = frozenset("color colour colors colours yarn".split())
+
+
 def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     """The heading that a line is, None when it cannot be one."""
     shown, tokens = tokens, _unseen(text, tokens)
@@ -117,6 +120,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
         copies, at = found
     elif (ranks := _RANKS.match(text, name[0].start)) and int(ranks[1]) < int(ranks[2]):
         copies = int(ranks[2]) - int(ranks[1]) + 1  # "2nd to 8th Tentacles"
+    if name[0].word in ("use", "using") or name[-1].word in _HUED:
+        return None  # "Use colour of your choice", "LIGHT COLOUR"
     colon = c.mark(":")
     c.at += colon
     if row.marked and at is not None and c.mark(",") and len(tokens) - c.at < _WORDS:

@@ -302,6 +302,8 @@ class Printed(Headed):
         draft = self.parts[-1]
         wants = self.ringed is not None and head.numbers[:1] == (1,) and not draft.begun()
         if self.ringed is not None and wants and not any(t.value in ("ring", "hook", "loop") for t in tokens):
+            if len(tokens) > 2 and tokens[1].kind == "stitch" and tokens[2].value == "around":
+                tokens = [*tokens[:2], *tokens[3:]]  # "6 sc in the round"
             tokens = [
                 self.ringed,
                 Token("mark", ",", head.span.end, head.span.end),
@@ -343,6 +345,7 @@ class Printed(Headed):
             and last.last
             and (last.off is None or (self.heading is None and _rejoins(tokens, last.last - last.offset)))
             and (last.edge or 0) > 2
+            and self.ringed is None  # "Start with a magic ring. R1: 8 sc" is another piece
             and not _starts(tokens, ringed, self.heading is None)
             and (self.heading is None or not self.heading.marked or _goes_on(self.heading))
         ):

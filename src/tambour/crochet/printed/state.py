@@ -36,6 +36,7 @@ from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.numerals import numerals
 from tambour.crochet.printed.pages import pages
 from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.pasted import pasted
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.risings import counting
@@ -134,6 +135,9 @@ class State:
             self.rows = pages(source.text.text, self.rows, self.vocabulary)
             source.each = numbered_each(source.text.text)
         explained(self.rows, self.vocabulary)
+        if not TERMS[self.language.code].prints(source.text.text):
+            called = TERMS[self.language.code].words["round"][0].lower()
+            self.rows = pasted(source.text.text, self.rows, self.vocabulary, called)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
             self.rows = echoed(doubled(told(counting(respun(ended(shelled(plainly(self.rows, self.vocabulary))))))))
             self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())

@@ -183,9 +183,10 @@ def _kerned(tokens: list[Token]) -> list[Token]:
         one, two, after = tokens[k : k + 3]
         apart = one.kind == two.kind == "number" and len(one.word) == len(two.word) == 1 and two.start == one.end + 1
         before = k - 1 - (k > 1 and tokens[k - 1].word in (".", "#"))
+        ranged = tokens[k - 1].word == "-" and k > 1 and tokens[k - 2].kind == "number"
         named = (
-            not k or tokens[before].word in _ROUNDS or tokens[k - 1].word in ("x", "*")
-        )  # "Rnd 1 6 sc", "R.1 6 sc", "dec x 6 6sts"
+            not k or tokens[before].word in _ROUNDS or tokens[k - 1].word in ("x", "*") or ranged
+        )  # "Rnd 1 6 sc", "R.1 6 sc", "dec x 6 6sts", "rnd 3-5 1 sc in each st"
         if apart and one.value and not named and after.word in ("sts", "sc", "st", "stitches"):
             whole = Token("number", one.word + two.word, one.start, two.end, 10 * one.value + two.value, one.glued)
             return [*tokens[:k], whole, *_kerned(tokens[k + 2 :])]
@@ -193,7 +194,7 @@ def _kerned(tokens: list[Token]) -> list[Token]:
 
 
 def _undashed(tokens: list[Token]) -> list[Token]:
-    """``tokens`` without the dash in "18-sts"."""
+    """``tokens`` without the dash in "18-sts", "6-inc"."""
     return [
         t
         for k, t in enumerate(tokens)
@@ -204,7 +205,10 @@ def _undashed(tokens: list[Token]) -> list[Token]:
             and tokens[k - 1].kind == "number"
             and k + 1 < len(tokens)
             and tokens[k + 1].glued
-            and tokens[k + 1].word in _STS
+            and (
+                tokens[k + 1].word in _STS
+                or (tokens[k + 1].word in _SHAPED and k > 1 and tokens[k - 2].word not in _ROUNDS)
+            )
         )
     ]
 
@@ -240,6 +244,7 @@ def _dotted(tokens: list[Token]) -> list[Token]:
 
 
 _DOTTED: Final = frozenset("dc sc ss hdc htr tr dtr slst blo flo mr".split())
+_SHAPED: Final = frozenset("inc dec sc".split())
 _STS: Final = frozenset("st sts stitch stitches".split())
 _ROUNDS: Final = frozenset("rnd rnds round rounds row rows r rd".split())
 _PAIRED: Final = frozenset(("from", "to", "between", "at"))  # "rep from ** to **", "ending at **": no weight

@@ -17,7 +17,7 @@ _HEADED: Final = re.compile(
     r"^(?:[^\w\s]+ )*(?:(?:rnds?|rounds?|rd|r|rows?)(?: [.#])? ?\d+(?: (?:-|–|to|and|&|,|~) (?:r ?)?\d+)*|\d+(?:st|nd|rd|th)?(?: (?:-|–|to|and) \d+(?:st|nd|rd|th)?)? (?:rnds?|rounds?|rows?)?)(?P<behind>.*)$"
 )
 _WRITTEN: Final = re.compile(
-    r"(?:rnds?|rounds?|rows?) (?:\d+ (?:(?:-|to|and) \d+ )?)?[:.=]"
+    r"(?:rnds?|rounds?|rows?) (?:\d+ (?:(?:-|to|and) \d+ )?)?[:.=]|\br\d{1,3} (?:- \d{1,3} )?:"
 )  # wherever in a line they stand
 _STITCHES: Final = frozenset("sc dc hdc htr tr ch inc dec sl ss slst blo flo mr in repeat fold with as".split())
 

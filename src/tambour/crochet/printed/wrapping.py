@@ -31,6 +31,7 @@ _STEP: Final = re.compile(
     re.IGNORECASE | re.MULTILINE,
 )
 """What numbers a step: "Step 2:", "(3)", "#4", "2." on a line of its own."""
+_ROUND: Final = re.compile(r"[ \t]*(?:rnd|round|row|rd|r)[ \t]*(\d{1,3})[ \t]*[.:)]", re.IGNORECASE)
 _LABEL: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}(?:\([^()]{0,20}\)[ ]?)?:")
 _TITLE: Final = re.compile(r"[A-Z][^.:,;()]{1,40}(?:\([^()]{2,40}\)[ ]?){1,2}[.:]?$")  # "Wings (make 2)"
 _COPIES: Final = re.compile(r"[A-Za-z][\w /&-]{1,40}\((?:make|work) [^()]{1,20}\)")
@@ -104,7 +105,10 @@ def _numbered(text: str, row: Row) -> re.Match[str] | None:
 
 
 def _follows(text: str, above: Row, row: Row) -> bool:
-    """Whether the number of a line's step is the next after that of the line above."""
+    """Whether the number of a line's step, or of its round, is the next after that of the line above."""
+    one, two = (_ROUND.match(text, r.start) for r in (above, row))
+    if one is not None and two is not None and int(one[1]) + 1 == int(two[1]):
+        return True  # "round 1. 6 sc in magic ring", in small letters
     one, two = (_numbered(text, r) for r in (above, row))
     return one is not None and two is not None and int(one[one.lastindex or 0]) + 1 == int(two[two.lastindex or 0])
 

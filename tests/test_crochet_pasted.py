@@ -1,0 +1,170 @@
+"""Patterns as a clipboard brings them from pages: lists without their numbers, letters of other alphabets, lines that ran together."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.language.tree import Pattern
+from tambour.crochet.printed.choose import account, read
+from tambour.crochet.printed.pasted import ours
+
+
+def _read(text: str) -> Pattern:
+    return read(Text(text, "page.txt"))
+
+
+def _parts(pattern: Pattern) -> list[tuple[str, int, int]]:
+    """Of each part its name, its copies and its rounds."""
+    return [(p.name, p.copies, sum(line.times for line in p.lines if line.in_round)) for p in pattern.parts]
+
+
+def _whole(text: str) -> Pattern:
+    """The pattern of a text of which every round is read."""
+    pattern = _read(text)
+    told = account(pattern)
+    assert told["rounds_taken"] == 0, told
+    assert not pattern.left_out
+    assert not told["not_understood"], told["not_understood"]
+    return pattern
+
+
+def _counts(pattern: Pattern, part: int = 0) -> list[int | None]:
+    return [line.stated for line in pattern.parts[part].lines if line.in_round]
+
+
+def test_rounds_of_a_list_without_numbers() -> None:
+    """A page numbers the items of a list itself, and a clipboard leaves the numbers out; what the writer numbered stays."""
+    text = (
+        "Tiny owl\n\nBody\n- 6 sc in MR (6)\n- 6 inc (12)\n- (3 sc, 1 inc) x 3 (15) 4-7. 15 sc (4 rows) (15)\n"
+        "- Work in back loops only: (3 sc, 1 dec) x 3 (12)\n- 6 dec (6)\nFasten off and cut the yarn.\n"
+        "Wings (Make 2)\n- 5 sc in MR (5)\n- 5 inc (10) 3-5. 10 sc (10)\n- 5 dec (5)\nFasten off.\n"
+    )
+    pattern = _whole(text)
+    assert _parts(pattern) == [("Body", 1, 9), ("Wings", 2, 6)]
+    numbers = [line.number for line in pattern.parts[0].lines if line.in_round]
+    assert numbers == [1, 2, 3, 4, 8, 9]
+
+
+def test_items_numbered_by_the_page() -> None:
+    """A list's own numbers go on behind a range that its writer put in one item."""
+    text = "Tail\n  1. 5 sc in MR (5)\n  2. 5 inc (10)\n    3-6. 10 sc\n  3. (3 sc, dec) x 2 (8)\n    8-10. 8 sc\n  4. 4 dec (4)\n"
+    pattern = _whole(text)
+    assert [line.number for line in pattern.parts[0].lines if line.in_round] == [1, 2, 3, 7, 8, 11]
+
+
+def test_two_rounds_of_an_item() -> None:
+    text = (
+        "Ear\n- Rnd 1: 6 sc in MR (6)\n- Rnd 2: 6 inc (12)\n3-5. 12 sc (3 rounds) (12) - Rnd 6: (1 sc, 1 dec) x 4 (8)\n"
+        "- Rnd 7: 4 dec (4)\n"
+    )
+    assert [n for *_, n in _parts(_whole(text))] == [7]
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("3 rоw: (1 sс, inс) х 6", "3 row: (1 sc, inc) x 6"),
+        ("Сhаngе thе yаrn", "Change the yarn"),
+        ("Rnd 2:Â inc (12)", "Rnd 2:  inc (12)"),
+        ("EARSÂ (two)", "EARS  (two)"),
+        ("2 ряд: 6 пр (12)", "2 ряд: 6 пр (12)"),
+        ("ÂNGULO", "ÂNGULO"),
+    ],
+)
+def test_letters_that_look_like_ours(said: str, meant: str) -> None:
+    assert ours(said) == meant
+    assert len(ours(said)) == len(said)
+
+
+def test_masked_letters() -> None:
+    text = "Body\n1 rоw: 6 sс іn МR (6)\n2 rоw: 6 іnс (12)\n3 rоw: (1 sс, іnс) х 6 (18)\n4 rоw: 18 sс (18)\n"
+    assert _counts(_whole(text)) == [6, 12, 18, 18]
+
+
+def test_stitches_in_full_as_counts() -> None:
+    """A count in full that a point of a list ends."""
+    text = (
+        "Trunk\n1st row: 6 single crochets in the ring;\n2nd row: 6 increases (12 single crochets);\n"
+        "3rd row: (2 single crochets, decrease) x 3 times (9 single crochets);\n4th-6th rows: 9 single crochets;\n"
+    )
+    pattern = _whole(text)
+    assert sum(n for *_, n in _parts(pattern)) == 6
+    assert _counts(pattern)[1:3] == [12, 9]
+
+
+def test_a_range_before_a_small_number() -> None:
+    """ "4-6 1 sc" are three rounds, not those up to 61."""
+    text = "Hat\nround 1. 6 sc in magic ring\nround 2. 2 sc in each st (12)\nround 3. 1 sc in each st (12)\nround 4-6 1sc in each st (12)\n"
+    assert sum(n for *_, n in _parts(_whole(text))) == 6
+
+
+def test_a_sloped_range() -> None:
+    """ "rnd 3/6:" are four rounds where round 7 comes next, and "rnd 3/5:" two where round 4 does."""
+    text = "Pod\nrnd 1: 6 sc in a magic ring\nrnd 2: inc 6 times [12]\nrnd 3/6: sc in all 12 st\nrnd 7: (dec, sc in next 4 st) repeat 2 times [10]\n"
+    assert sum(n for *_, n in _parts(_whole(text))) == 7
+
+
+def test_pieces_whose_rounds_share_a_line() -> None:
+    """A ring said before "R1:" begins another piece, and "in the round" is in that ring; no line is worked twice."""
+    text = (
+        "Nest box\n\nVase\nStart with a magic ring.R1: 8 sc in the round , 1 ss, 1 ch [8]R2: (2 sc in next st) * 8 times, 1 ss, 1 ch [16]"
+        "R3: (1 sc, 2 sc in next st)* 8 times, 1 ss, 1 ch [24]R4-6: 24 sc, 1 ss [24]\n"
+        "Lid\nStart with a magic ring.R1: 6 sc in the round. 1 ss, 1 chR2: (2 sc in next st) * 6 times, 1 ss, 1 ch [12]"
+        "R3: (1 sc, 2 sc in next st)* 6 times [18]R4: (1 sc, sc2tog/dec)* 6 times [12]\n"
+    )
+    assert _parts(_whole(text)) == [("Vase", 1, 6), ("Lid", 1, 4)]
+
+
+def test_names_glued_to_their_first_round() -> None:
+    text = "Little fungus\n\nStemRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nCut yarn and fasten off.\nCapRnd 1: 7 sc in MR (7)\nRnd 2: 7 inc (14)\n"
+    assert _parts(_whole(text)) == [("Stem", 1, 2), ("Cap", 1, 2)]
+
+
+@pytest.mark.parametrize(
+    ("first", "rest"),
+    [
+        ("1. 6 sc in MR (6)", "2. 6-inc (12)"),
+        ("1. Magic circle with a base of 6 sc (6)", "2. 6 inc (12)"),
+        ("1. 6 sc in KA (6)", "2. (1 sbn, inc) x 3 (9)"),
+        ("1. 6 sc in MR (6)", "2. (inc, sc)x2, sc to marker (8)"),
+        ("1. ch 2, 6 sc in the second ch (6)", "2. 6 inc (12)"),
+        ("1. ch 2, 6 sc in 2nd ch from hook (or 6 sc in magic ring", "2. 6 inc (12)"),
+        ("1. 6 sc in MR. 1 ss, 1 ch", "2. 6 inc, 1 ss, 1 ch (12)"),
+    ],
+)
+def test_ways_of_saying_it(first: str, rest: str) -> None:
+    pattern = _whole(f"A pear\n\nBody\n{first}\n{rest}\n3. sc in each st\n")
+    assert sum(n for *_, n in _parts(pattern)) == 3
+
+
+def test_a_pointed_chain() -> None:
+    text = "Scarf (Make 2):\nCh. 7\nRow 1: sc in the 2nd ch from hook and in each ch across, turn (6)\nRows 2-5: ch 1, sc across, turn (6)\n"
+    assert [n for *_, n in _parts(_whole(text))] == [5]
+
+
+def test_a_stitch_that_ends_a_sentence_keeps_its_point() -> None:
+    """A page's edge may part "first | sc." from its sentence, and a bracket that begins with "or" may be closed."""
+    text = (
+        "Cuff\n1st rnd: With A, ch 2. 8 sc in 2nd ch from hook. Join with sl st to first sc.\n"
+        "2nd rnd: Ch 1. 2 sc in next sc. 1 sc in each of next 6 sc. 2 sc in next sc. Join with sl st to first\nsc. 10 sc.\n"
+        "Rep 2nd rnd 2 times more (or until it is as long as you like)\n"
+    )
+    assert _counts(_read(text))[1] == 10
+
+
+def test_rows_named_by_a_letter() -> None:
+    """Row and loop begin with the same letter in the language that a machine translated."""
+    text = "Paw (2pcs):\n1r. 6sc in the amigurumi ring\n2p. 6inc (12p)\n3p. (2sc, 1dec) - 3 times (9p)\n4 rub. 9sc\n5 rubles-6 rubles 9sbn\n"
+    pattern = _whole(text)
+    assert [(c, n) for _, c, n in _parts(pattern)] == [(2, 6)]
+    assert _counts(pattern)[:3] == [None, 12, 9]
+
+
+def test_yarns_are_no_headings() -> None:
+    """What a heading says of its yarn, and a line that leaves the choice to the maker, name no part."""
+    text = (
+        "A small gnome\n\nSnout (LIGHT COLOUR):\n1) 6 sc in MR [6]\n2) inc x 6 [12]\n\nHat\n\n- Use colour of your choice\n\n"
+        "R1: 6 SC in a MR\nR2: 6 inc (12)\n"
+    )
+    assert [name for name, *_ in _parts(_read(text))] == ["Snout", "Hat"]
