@@ -168,3 +168,66 @@ def test_yarns_are_no_headings() -> None:
         "R1: 6 SC in a MR\nR2: 6 inc (12)\n"
     )
     assert [name for name, *_ in _parts(_read(text))] == ["Snout", "Hat"]
+
+
+def test_a_whole_page_on_a_line() -> None:
+    """A browser that copies a page without its breaks: one such doll was refused as no pattern."""
+    text = (
+        "Plain doll\nAbbreviations MR: magic ring sc: single crochet inc: increase dec: decrease\n"
+        "1. The Head (Light Yarn) Stuff it as you go. Round 1: 6 sc in MR = (6) Round 2: 6 inc = (12) Round 3: (1 sc, 1 inc) * 6 = (18) "
+        "Rounds 4-6: sc in each stitch around (3 rounds total) = (18) Placing the Eyes: Insert the safety eyes between rounds 4 and 5, "
+        "6 stitches apart. Round 7: (1 sc, 1 dec) * 6 = (12) — Stuff the head. Leave a tail and fasten off. "
+        "2. Arms (Light Yarn - Make 2) Round 1: 5 sc in MR = (5) Round 2: 5 inc = (10) Rounds 3-8: sc in each stitch around = (10)\n"
+    )
+    pattern = _whole(text)
+    assert _parts(pattern) == [("Head", 1, 7), ("Arms", 2, 8)]
+    assert _counts(pattern) == [6, 12, 18, 18, 12]
+
+
+def test_colours_that_are_only_main_and_contrast() -> None:
+    text = (
+        "Snake\nHead: Using main color\nRound 1: 6 sc in MR (6)\nRound 2: inc x 6 (12)\nChange to contrast color.\nRound 3: sc 12 (12)\n"
+        "Change to main color.\nRound 4: sc 12 (12)\n"
+    )
+    pattern = _whole(text)
+    assert set(pattern.letters) == {"MC", "CC"}
+    assert any("MC, CC are given colours of our choice" in p.message for p in pattern.warnings)
+
+
+@pytest.mark.parametrize(
+    ("said", "count"),
+    [
+        ("*decr, 2 sc* repeat 3 times", 9),
+        ("dec (3 times), sc in next 6 sts", 9),
+        ("sc 2, dec repeat around — 1 round total", 9),
+        ("sc 12 — 2 rounds total", 12),
+    ],
+)
+def test_wordings_of_pages(said: str, count: int) -> None:
+    pattern = _whole(f"Bird\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nRnd 3: {said} ({count})\n")
+    (built,) = [p for p in [pattern.built] if p is not None]
+    assert not built.warnings and built.rounds[-1].count == count
+
+
+def test_another_way_is_no_round_and_no_part() -> None:
+    """It was a part of its own, and took the rounds below it."""
+    text = "Bee\n• R1: 6 sc into a magic circle {6 sts}\n\n  Alternate way to begin: chain 2, sc 6 times in 2nd chain from hook {6 sts}\n\n• R2: (inc) 6 times {12 sts}\n"
+    pattern = _whole(text)
+    assert _counts(pattern) == [6, 12] and len(pattern.parts) == 1
+    assert len(pattern.passed) == 1  # kept, and printed under its round
+
+
+def test_examples_of_how_to_read_are_no_rounds() -> None:
+    text = "Cub\nHow to read this:\nRnd 0: 0 sc; → one round\nRnd 0 and Rnd 0: 0 sc; → two alike\nHead\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\n"
+    assert _parts(_whole(text)) == [("Head", 1, 2)]
+
+
+def test_legs_of_which_another_is_made_and_joined() -> None:
+    text = (
+        "Body (starting with legs)\nLeg 1:\nRound 1: 5 sc in MR (5)\nRound 2: inc x 5 (10)\nRounds 3-4: sc 10 (10)\n"
+        "FO leg 1. Make another, but do not finish off.\n"
+        "Round 5: ch 2, work 10 sc around leg one, work 2 sc in connecting chain, work 10 sc around second leg, then 2 sc in back of connecting chain (24)\n"
+        "Round 6: *sc 3, inc* x 6 (30)\n"
+    )
+    pattern = _whole(text)
+    assert _parts(pattern) == [("Legs and body", 1, 10)]

@@ -257,7 +257,7 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
     draft = p.parts[-1]
     if said is None or not draft.begun():
         return False
-    noun = one((said[1] or "").lower())
+    noun = one((said["noun"] or "").lower())
     if noun and noun not in ("one", "piece"):
         names = [{one(w) for w in d.name.lower().replace("_", " ").split()} for d in p.parts]
         meant = next((k for k in range(len(names) - 1, -1, -1) if noun in names[k]), None)
@@ -274,8 +274,9 @@ _OTHERS: Final = re.compile(r"\b(?:another|second|2nd|other)\b", re.IGNORECASE)
 _SECOND: Final = re.compile(r"\b(?:second|2nd)\b", re.IGNORECASE)
 _TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,2})\b(?=.*\b(?:using|with|in)\b)")
 _ANOTHER: Final = re.compile(
-    r"(?:(?:now|then|and)\s+)*(?:make|work|crochet|do|create)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"
-    r"(?:,?\s+(?:(?:exactly|just)\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",
+    r"(?:(?:now|then|and)\s+)*(?:make|work|crochet|do|create)\s+(?:(?P<more>another)|(?:a|the)\s+(?:second|2nd))(?:\s+(?P<noun>[A-Za-z]+))?"
+    r"(?:,?\s+(?:(?:exactly|just)\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?"
+    r"(?(more)(?:,?\s+(?:(?:but|and|this\s+time)\s+)*(?:do\s+not|don['’]t|without)\s+(?:finish|fasten|cut|break)(?:ing)?(?:\s+(?:it|off|the|your|yarn))*)?)\s*(?:[.!;]|$)",
     re.IGNORECASE | re.MULTILINE,
 )
 _ALIKE: Final = frozenset(("alike", "exactly", "pieces", "of", "the", "these"))

@@ -17,6 +17,7 @@ _CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
 _SC: Final = r"\w{2,6}"
 _ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
 _KIND: Final = "sc|hdc|dc|tr|single crochet|half double crochet|double crochet"
+_UNLETTERED: Final = r"(?! (?:\(|:|mc|cc|[a-k])(?: |$))"
 _TURNED: Final = "(?:sc|single crochet)"
 
 _IDIOMS: Final = tuple(
@@ -56,6 +57,19 @@ _IDIOMS: Final = tuple(
         (r"(\d+) scflo", "{1} sc in flo"),
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
+        # pages of today
+        (r"(inc|dec|sc|hdc|dc|incs|decs) \( (\d+) (?:times|x) \)", "{2} {1}"),
+        (rf"(to|with|using|in|join|attach|use) (?:the |your )?main (?:colou?r|yarn){_UNLETTERED}", "{1} mc"),
+        (rf"(to|with|using|in|join|attach|use) (?:the |your )?(?:contrast|contrasting|secondary|accent) (?:colou?r|yarn){_UNLETTERED}", "{1} cc"),
+        (r"(?:-|,) \d+ (?:rounds?|rnds?|rows?)(?: in)? total", ""),
+        (r"(leg|arm|ear|piece) one", "{1} 1"),
+        (r"(leg|arm|ear|piece) two", "{1} 2"),
+        (r"(?:the )?back of (?:the )?(?:connecting|joining) (chain|ch)s?", "other side of the {1}"),
+        (r"(?:connecting|joining) (chain|ch)s?", "{1}"),
+        (r"(?:align|line up|place) (?:both|the|the two) legs(?: side by side| next to each other)? ,", ""),
+        (r"in (?:the )?(?:invisible )?fasten(?:ed)? ?-? ?off (?:stitch|st) of", "around"),
+        (r"this (?:will )?(?:be|forms?|makes?|becomes?) the (?:bottom|top|base|front|back|nose|snout|tip) of [^.,;:()]*(?= \.| ?$)", "marker"),
+        (r"^\* (fill|stuff|sew|attach|fasten|leave|insert|place|embroider|weave|note|cut)(?=[^*]*$)", "{1}"),
         # edgings, baskets, blankets
         (rf"(?:working |work )?(?:from )?left to right(?: ,)?(?: (?:instead of|rather than|and not|not) (?:from )?right to left)?(?: ,)?(?: as (?:is )?(?:usual|normal))?(?: ,)? (?:work |make )?((?:1|one|a) )?(?:reverse |rev )?{_TURNED}", "{1} rev sc"),
         (r"(double|half double|treble|single) crochet (front|back) post", "{2} post {1} crochet"),

@@ -30,7 +30,7 @@ def parted(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     made: list[Row] = []
     for row in rows:
         cuts = (
-            _cuts(row.tokens, vocabulary)
+            round_starts(row.tokens, vocabulary)
             if len(row.tokens) > 8 and any(c.isdigit() for t in row.tokens for c in t.word[-1:])
             else []
         )
@@ -50,7 +50,7 @@ def parted(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     return made
 
 
-def _cuts(tokens: list[Token], vocabulary: Vocabulary) -> list[int]:
+def round_starts(tokens: list[Token], vocabulary: Vocabulary) -> list[int]:
     """Where rounds begin in a line whose numbers follow each other."""
     cuts: list[int] = []
     last = k = ended = 0

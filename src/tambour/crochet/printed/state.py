@@ -29,6 +29,7 @@ from tambour.crochet.printed.idioms import plainly
 from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.legend import explained
 from tambour.crochet.printed.looped import Loops
+from tambour.crochet.printed.lumps import unlumped
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of, spoken_of
 from tambour.crochet.printed.newyarn import respun
@@ -112,9 +113,21 @@ _ENDED: Final = re.compile(r"\b(?:fasten(?:ed|ing)? off|sew|sewn|bind off)\b", r
 _WORK: Final = 4  # words and signs behind the head of a round among which it works something
 
 
-def _noted(text: str, rows: list[Row]) -> list[Row]:
-    """Lines of a text of ours that say what the sentence above them leaves open, which is found again when it is read."""
-    return [row for row in rows if text[row.start : row.end].lstrip().startswith("›")]
+_OTHERWISE: Final = re.compile(
+    r"\W*(?:(?:alternat(?:e|ive)|another|other) (?:way|method)(?: to (?:begin|start))?|alternatively)\s*[:,]",
+    re.IGNORECASE,
+)
+"""What could be done in place of the line above, which is read."""
+_EXAMPLE: Final = re.compile(r"\W*(?:rnd|round|row)s? ?0\b[^:\n]*: *\W*0+ ", re.IGNORECASE)
+"""How a pattern is to be read, shown on rounds of nothing: "Rnd 0: 0 sc"."""
+
+
+def _noted(text: str, rows: list[Row], ours: bool) -> list[Row]:
+    """Lines that are for the eye alone: of a text of ours those that say what the sentence above them leaves open, which is found again when
+    it is read; of others another way to do the line above, and examples of how it is read."""
+    if ours:
+        return [row for row in rows if text[row.start : row.end].lstrip().startswith("›")]
+    return [row for row in rows if any(said.match(text, row.start, row.end) for said in (_OTHERWISE, _EXAMPLE))]
 
 
 class State:
@@ -128,11 +141,11 @@ class State:
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
-        noted = _noted(source.text.text, self.rows) if TERMS[self.language.code].sets(source.text.text) else []
+        noted = _noted(source.text.text, self.rows, TERMS[self.language.code].sets(source.text.text))
         self.rows = [row for row in self.rows if row not in noted]
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         if not TERMS[self.language.code].prints(source.text.text):
-            self.rows = pages(source.text.text, self.rows, self.vocabulary)
+            self.rows = unlumped(pages(source.text.text, self.rows, self.vocabulary), self.vocabulary)
             source.each = numbered_each(source.text.text)
         explained(self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(source.text.text):
