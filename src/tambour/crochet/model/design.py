@@ -21,9 +21,22 @@ from tambour.crochet.model.coarse import coarse
 from tambour.crochet.model.cut import Limb
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.dyed import dye, dyed
+from tambour.crochet.model.eyed import eyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import limbs
-from tambour.crochet.model.loop import STEP, TRIES, Task, Tried, corrected, faithful, looped, missed, tried
+from tambour.crochet.model.loop import (
+    STEP,
+    TRIES,
+    Task,
+    Tried,
+    bare,
+    corrected,
+    faithful,
+    looped,
+    missed,
+    pulled,
+    tried,
+)
 from tambour.crochet.model.named import names
 from tambour.crochet.model.painted import painted
 from tambour.crochet.model.rounds import printed
@@ -47,6 +60,8 @@ the last, in stitches."""
 BEGINNINGS, FINAL, CLOSE = 3, 2, 1.2
 """How many tips are tried in the simulation, each corrected once; and from how many of these a whole loop goes on, those that come to no more than so
 many times what the best does."""
+ALIKE = 1.05
+"""Threads are pulled through what comes to no more than so many times what the best of these does without them."""
 LARGE = 4000
 """Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
 TURNED = 8
@@ -127,6 +142,10 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
                 said = "a spot of the model's colours", "two spots of the model's colours"
                 lines += faces_of(face, pieces, stitch, params.plain_ <= 0.0, shades, tell, said)
                 shades = target.vertices, uncoloured(*shades, face)
+        if even and plane is not None and not any(bumps) and not any(line.startswith("eye(") for line in lines):
+            own = eyed(target.vertices, target.faces, pieces, plane)
+            said = "", "two eyes that the model does not have, proposed where its ears and its nose would have them,"
+            lines += faces_of(own, pieces, stitch, params.plain_ <= 0.0, None, tell, said)
         lines += [line for face in bumps for line in faces_of(face, pieces, stitch, params.plain_ <= 0.0, shades, tell)]
     if shades is not None:
         plain = uncoloured(*shades, tuple(b for face in bumps for b in face))
@@ -258,8 +277,16 @@ def _looped(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[flo
 
 
 def _best(begun: list[tuple[Task, Tried]], tries: int) -> tuple[Task, Tried, list[float]]:
-    """The best that comes of several beginnings, each led through the whole loop: which one promises most does not tell."""
-    return min((_looped(task, first, tries) for task, first in begun), key=lambda end: end[1].price)
+    """The best that comes of several beginnings, each led through the loop, as which one promises most does not tell; but threads, which
+    take as long as all the rest, are only pulled through those that are then about as near."""
+    made = [bare(task, first, tries) for task, first in begun]
+    near = min(best.price for _, best, _ in made)
+    ends = []
+    for task, best, way in made:
+        if best.price <= ALIKE * near:
+            best, more = pulled(task, best, tries)
+            ends.append((task, best, [round(v, 4) for v in way + more]))
+    return min(ends, key=lambda end: end[1].price)
 
 
 def _begun(

@@ -34,9 +34,11 @@ BENT, IDLE = 5, 3
 that ends."""
 FLAT = 0.78
 """A limb whose lines enclose a smaller share than this of what circles would is tried without stuffing too, as ears are worked."""
-BATCHES, SPARE, AGAIN, HARDLY = 4, 2, 4, 8
+BATCHES, SPARE, AGAIN, HARDLY = 4, 6, 3, 4
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
-each; no more threads than so many are pulled at once."""
+each; of a part that has no more threads than so many, all are pulled at once."""
+HELD = 0.3
+"""How much of what a round is too wide is then taken off it at first."""
 BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
 AT_END, BLUNT = 3, 0.85
@@ -162,26 +164,41 @@ def roundness(way: Fronts) -> float:
 
 def _worked(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
     """The same, filled as the task says."""
+    task, best, history = bare(task, first, tries)
+    best, more = pulled(task, best, tries)
+    return task, best, history + more
+
+
+def bare(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    """The best rounds that corrections of counts, of how many rounds there are and of bends lead to, without threads."""
     best, history = _counted(task, first, tries)
     for change in (resized, bent):
         task, best, more = change(task, best, tries)
         history += more
+    return task, best, history
+
+
+def pulled(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
+    """The best that threads make of ``best``, pulled a batch at a time, each kept that brings enough; and the mean distances on the way.
+
+    Fabric that is held springs from one shape to another, so that its rounds are corrected by small steps.
+    """
     most = threads.most(sum(best.counts), task.plain) if task.params.stuffing != "none" else 0
-    bare, tighter = best, threads.FIRST if _stuffed(task) else 0.0
-    add = most if most <= HARDLY else most // BATCHES
+    was, tighter, history = best, threads.FIRST if _stuffed(task) else 0.0, list[float]()
+    add = most if most <= HARDLY else max(2, most // BATCHES)
     for _ in range(BATCHES + SPARE):
         holds = threads.chosen(best, min(add, most - len(best.holds)), tighter)
         if len(holds) == len(best.holds):
             break
-        now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries))
+        now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries), HELD)
         history += more
-        if now.price < best.price - GAIN:
+        if now.price < best.price - max(GAIN, threads.EACH * (len(now.holds) - len(best.holds))):
             best = now
         elif add == 1:
             break
         else:  # fewer at once, and no tighter than they belong
             add, tighter = add // 2, 0.0
-    return task, (best if task.plain <= 0.0 or threads.worth(bare, best) else bare), history
+    return best if task.plain <= 0.0 or threads.worth(was, best) else was, history
 
 
 def resized(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
@@ -259,10 +276,10 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
     return *was, history
 
 
-def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
+def _counted(task: Task, best: Tried, tries: int, step: float = STEP) -> tuple[Tried, list[float]]:
     """The best of the tries that follow ``best``, each corrected by what the last one was off, whether that was better or not;
     after four in a row that were not, by what the best one was."""
-    history, step, now, idle = [best.distance.mean], STEP, best, 0
+    history, now, idle = [best.distance.mean], best, 0
     for _ in range(tries):
         before = now
         now = tried(task, corrected(task, before, step), threads.tightened(before, step))

@@ -15,12 +15,14 @@ if TYPE_CHECKING:
 
 EVERY = 40
 """A part that shall be as near as can be has a thread for so many of its stitches, at the most."""
-FEW, FLAT, MANY, PER = 2, 4, 8, 150
-"""Any other has one for PER stitches at the most, and no more than MANY; if it has fewer than SMALL stitches FEW, else at least FLAT, as
-an ear needs to lie flat."""
-SMALL = 120
+FEW, NEAR, FLAT = 2, 30, 8
+"""Any other has one for NEAR stitches up to FLAT of them, as a fin needs to lie flat, but FEW at the least,"""
+PER, MANY = 64, 24
+"""and where that is more, one for PER stitches up to MANY of them."""
+EACH = 0.003
+"""A batch of threads is kept where each of them takes so much, in stitches, off the part's mean distance,"""
 WINS, AMOUNT = 0.12, 0.05
-"""And only where they take such a share, and so much, in stitches, off its mean distance."""
+"""and all of them only where they take such a share, and so much, off it."""
 APART = 2.5
 """Ends of threads lie at least so far from each other, in stitches: each wants fabric of its own."""
 PROUD, MORE = 0.3, 0.6
@@ -42,7 +44,7 @@ def most(stitches: int, plain: float) -> int:
     """How many threads a part of so many stitches has at the most; the easiest rounds have none."""
     if plain <= 0.0:
         return int(1.5 * stitches / EVERY)
-    return min(max(FEW if stitches < SMALL else FLAT, stitches // PER), MANY) if plain < 1.0 else 0
+    return min(max(FEW, min(stitches // NEAR, FLAT), stitches // PER), MANY) if plain < 1.0 else 0
 
 
 def worth(bare: Tried, pulled: Tried) -> bool:
