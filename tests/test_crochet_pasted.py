@@ -231,3 +231,105 @@ def test_legs_of_which_another_is_made_and_joined() -> None:
     )
     pattern = _whole(text)
     assert _parts(pattern) == [("Legs and body", 1, 10)]
+
+
+def test_bars_around_what_is_repeated_are_brackets() -> None:
+    text = "Bud\nR1: 6 sc in MR (6)\nR2: inc x6 (12)\nR3: |inc, sc in next st| x6 (18)\nR4: 1 sc, |inc, 2 sc| x 5, inc, 1 sc (24)\n"
+    assert _counts(_whole(text)) == [6, 12, 18, 24]
+
+
+def test_examples_with_letters_for_numbers_are_no_rounds() -> None:
+    text = (
+        "Cub\nR0: XX sc; → one round\nR0 and R0 – XX sc; → two alike\nR0: * 1 sc, 1 inc * (XX); → over and over\n"
+        "Head\nR1: 6 sc in MR (6)\nR2: 6 inc (12)\n"
+    )
+    assert _parts(_whole(text)) == [("Head", 1, 2)]
+
+
+def test_rounds_in_all_behind_a_count() -> None:
+    """Their lines were taken for the rest of the round above, and their counts were lost."""
+    text = "Tail\nwith green, working in rounds\n5 sc in MR (5)\n*inc* around (10)\n*sc* around (10) three total rounds\n*sc, inc* around (15)\n"
+    pattern = _whole(text)
+    lines = [line for line in pattern.parts[0].lines if line.in_round]
+    assert [(line.stated, line.times) for line in lines] == [(5, 1), (10, 1), (10, 3), (15, 1)]
+    assert _counts(
+        _whole("Rod\nStart with MR with 5 sc – 1rnd.\n2 to 4 rnds: 1 sc in each next sc (5) – total 3 rnds\n")
+    )
+
+
+def test_turning_chains_said_behind_a_row() -> None:
+    assert _counts(
+        _whole(
+            "Fin\nMake 4 ch\nR 1: In the 2nd ch from hook: 3 sc, 1 turning chain (3)\nR 2: inc * 3, 1 turning chain (6)\nR 3: 6 sc (6)\n"
+        )
+    ) == [3, 6, 6]
+
+
+def test_each_next_stitch_is_every_one() -> None:
+    """It was one stitch, and the rest of the round was left unworked, unsaid."""
+    pattern = _whole(
+        "Hoop\nR1: 7 sc in MR\nR2: 1 sc in each next sc.\nR3: 2 sc in each of next st.\nR4: [sc in each next st, inc] x 7\n"
+    )
+    assert pattern.built is not None
+    assert [one.made for one in pattern.built.worked] == [7, 7, 14, 21]
+
+
+def test_a_decrease_of_tall_stitches_in_either_order() -> None:
+    """ "dec hdc" was a decrease and a half double crochet more."""
+    pattern = _whole("Fin\nR1: 8 hdc in MR (8)\nR2: dec hdc, 4 hdc, dec hdc (6)\n")
+    assert pattern.built is not None and pattern.built.worked[-1].made == 6
+
+
+def test_things_of_a_list_head_no_part() -> None:
+    """Of a list without a heading the last line but one became a pair of parts."""
+    text = "Ray\n\nAbout 40 g of yarn\nSafety eyes (or thread to embroider eyes)\nThread to embroider mouth\n\nTaste is free.\n\nWork in rounds.\n\nRnd 1   6sc in magic ring\n\nRnd 2   2sc in each st (12)\n"
+    assert len(_read(text).parts) == 1
+    assert "eyes" not in _read(text).parts[0].name.lower() and "thread" not in _read(text).parts[0].name.lower()
+
+
+def test_copies_and_a_yarn_below_a_heading() -> None:
+    """The part above got the copies, and the yarn was lost."""
+    text = "Body\nIn green\nR1: 6 sc in MR (6)\nR2: 6 inc (12)\nHorn\nMake 2, with white yarn\nR1: 5 sc in MR (5)\nR2: 5 sc (5)\n"
+    pattern = _whole(text)
+    assert _parts(pattern) == [("Body", 1, 2), ("Horn", 2, 2)]
+    hue = next(i for line in pattern.parts[1].lines for i in line.items if getattr(i, "name", "") == "color")
+    assert min(getattr(hue, "numbers", (0,))) > 200
+
+
+def test_a_heading_with_copies_ends_the_round_above_it() -> None:
+    """A spike is a stitch too, and was worked at the end of the round."""
+    pattern = _whole(
+        "Body\nR1: 6 sc in MR (6)\nR2: *sc, inc* around\nSpike (make 3)\nR1: 5 sc in MR (5)\nR2: 5 sc (5)\n"
+    )
+    assert _parts(pattern) == [("Body", 1, 2), ("Spike", 3, 2)]
+    assert pattern.built is not None and [one.made for one in pattern.built.worked][1] == 9
+
+
+def test_a_shade_that_a_brand_numbers_gets_a_colour() -> None:
+    """Its name tells none, and the change of yarn was passed over unsaid."""
+    text = "Doe\nHead\nStart with Lumen Slim yarn 3077 (Brook)\nRnd 1: 6 sc in MR (6)\nChange to Lumen Slim yarn 12 (Dune)\nRnd 2: 6 inc (12)\n"
+    pattern = _whole(text)
+    assert any("Brook" in w.message and "our choice" in w.message for w in pattern.warnings)
+
+
+def test_legs_that_a_body_goes_on_from() -> None:
+    text = (
+        "Legs (2), Body and Head\nRnd 1: 7 sc into magic ring;\nRnd 2: 7 inc = 14 sc;\nRnd 3: 14 sc;\n"
+        "Make an invisible fasten off.\nMake the second leg and do not cut the yarn.\n"
+        "Rnd 4: Ch 3, align both legs, 1 sc in the fasten-off stitch of the 1st leg, 13 sc around the 1st leg, 3 sc in the ch, 14 sc around the 2nd leg, 3 sc on the other side of the ch = 34 sc.\n"
+        "Rnd 5: 34 sc\n"
+    )
+    pattern = _whole(text)
+    assert _parts(pattern)[0][1:] == (1, 8)
+
+
+def test_what_a_round_does_in_its_head_moves_no_stitches() -> None:
+    """The stitches before the first arm were put behind it."""
+    text = (
+        "Body\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x6 (12)\n"
+        "Round 3 - add arms: 2 sc, 2 sc through arm and body, 4 sc, 2 sc through arm and body, 2 sc (12)\n"
+        "Arms (make 2)\nRnd 1: 4 sc in MR (4)\nRnd 2: sc around (4)\n"
+    )
+    line = [one for one in _whole(text).parts[0].lines if one.in_round][2]
+    assert [getattr(i, "times", 1) for i in line.items if getattr(i, "name", "") == "sc"][:2] == [2, 2]
+    assert getattr(line.items[0], "name", "") == "sc"

@@ -264,6 +264,8 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
         if meant is None:
             return False
         draft = p.parts[meant]
+    if said["on"] and not said["more"] and (not noun or names[p.parts.index(draft)] != {noun}):
+        return False  # "LEGS AND BODY": of what goes on with the second, a body is no more than one
     counted = draft.copies_span is not None and draft.copies > 1  # "Arms (2)", and "Make the second arm the same way"
     many = max(draft.copies, 2) if counted or _SECOND.search(said[0]) else draft.copies + 1
     draft.copies, draft.copies_span = many, Span(tokens[0].start, tokens[-1].end)
@@ -276,7 +278,7 @@ _TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,
 _ANOTHER: Final = re.compile(
     r"(?:(?:now|then|and)\s+)*(?:make|work|crochet|do|create)\s+(?:(?P<more>another)|(?:a|the)\s+(?:second|2nd))(?:\s+(?P<noun>[A-Za-z]+))?"
     r"(?:,?\s+(?:(?:exactly|just)\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?"
-    r"(?(more)(?:,?\s+(?:(?:but|and|this\s+time)\s+)*(?:do\s+not|don['’]t|without)\s+(?:finish|fasten|cut|break)(?:ing)?(?:\s+(?:it|off|the|your|yarn))*)?)\s*(?:[.!;]|$)",
+    r"(?P<on>,?\s+(?:(?:but|and|this\s+time)\s+)*(?:do\s+not|don['’]t|without)\s+(?:finish|fasten|cut|break)(?:ing)?(?:\s+(?:it|off|the|your|yarn))*)?\s*(?:[.!;]|$)",
     re.IGNORECASE | re.MULTILINE,
 )
 _ALIKE: Final = frozenset(("alike", "exactly", "pieces", "of", "the", "these"))

@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.places.names import kind_of, one
-from tambour.crochet.printed.cursor import Cursor, NotUnderstood
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.marked import named
 
 
@@ -215,11 +215,23 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         raise NotUnderstood(c.tokens[begin], "a stitch in a place out of order is not understood", "say it in order")
     if kind in ("", "same") and each and not counted:
         kind = "around"
+    if kind == "next" and each and placed and not counted and _ends_round(c, begin):
+        kind = "around"
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
     return Where(
         kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked, until, chains
     )
+
+
+def _ends_round(c: Cursor, begin: int) -> bool:
+    """Whether a clause, which begins there, is the last of its round and outside of all repeats: "1 sc in each next sc" works all that are left."""
+    after = c.look()
+    if after is not None and after.word not in (".", ";", "(", "[", "-", "="):
+        return False
+    before = [t.word for t in c.tokens[:begin]]
+    closed = sum(w in ")]}" for w in before)
+    return sum(w in OPEN for w in before) <= closed and not before.count("*") % 2
 
 
 def _and_each(c: Cursor) -> int:

@@ -96,6 +96,11 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
     nouns = tuple(dict.fromkeys((*map(_noun, parts), *later)))
     if not any(noun in low.lower() for noun in nouns):
         return tokens, []  # most rounds: what is said of no part need not be compiled
+    if any(noun in text[tokens[0].start : span.end].lower() for noun in nouns):
+        span = Span(
+            tokens[0].start, span.end
+        )  # "Round 7 - add arms: 2 sc, 2 sc through arm and body": its title holds none
+        low = text[span.start : span.end]
     hosts = tuple(w for w in re.findall(r"[^\W\d_]+", draft.name.lower()) if one(w) not in nouns and len(w) > 2)
     behind, before = _wordings(nouns, hosts)
     for pattern, leads in ((behind, False), (before, True)):

@@ -8,6 +8,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.colors import spare
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.heads import heads
@@ -127,7 +128,7 @@ def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
     if p.mode in ("materials", "abbreviations") or not (p.parts or p.heading is not None):
         return None
     if (shown := _shown(tokens)) is not None:
-        return shown
+        return dyed(shown) or p.palette.given.get(shown) or _ours(p, shown)
     some = [t for k, t in enumerate(tokens) if not _passes(tokens, k)]
     if not some or len(some) > _SHADE:
         return None
@@ -153,8 +154,15 @@ def _passes(tokens: list[Token], k: int) -> bool:
     return before is not None and before.value == "hook" and len(token.word) == 1
 
 
-def _shown(tokens: list[Token]) -> RGB | None:
-    """The yarn that a brand's name and number stand before: "Change to Soft yarn #7684 (Porcelain)"; None for other words."""
+def _ours(p: State, name: str) -> RGB:
+    """A colour of our choice for a yarn whose name tells none, which is told."""
+    hue = p.palette.given[name] = spare(len(p.palette.told))
+    p.palette.told.append(name)
+    return hue
+
+
+def _shown(tokens: list[Token]) -> str | None:
+    """The shade that a brand's name and number stand before: "Change to Soft yarn #7684 (Porcelain)"; None for other words."""
     while tokens and tokens[-1].word in (".", ":", ","):
         tokens = tokens[:-1]
     opens = next((k for k, t in enumerate(tokens) if t.word == "("), 0)
@@ -162,7 +170,10 @@ def _shown(tokens: list[Token]) -> RGB | None:
         return None
     if any(t.kind == "stitch" or t.word in (",", ";", ".") for t in tokens):
         return None
-    return dyed(" ".join(t.word for t in tokens[opens + 1 : -1]))
+    name, brand = tokens[opens + 1 : -1], tokens[1:opens]
+    if not any(t.kind == "number" or t.value == "yarn" for t in brand) or any(t.kind != "word" for t in name):
+        return None
+    return " ".join(t.word for t in name) if 0 < len(name) <= _SHADE else None
 
 
 _BRAND: Final = 8  # words before a shade's name: "Change to Soft yarn #7684"

@@ -68,6 +68,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return None
     if [t.kind for t in tokens] == ["stitch", "mark"] and tokens[1].word == ":":
         return None  # "Sc2tog:", above how it is made
+    if [t.value for t in tokens[-3:-2]] == ["make"] and tokens[-2].kind == "number" and tokens[-1].word == ")":
+        return None  # "Spike (make 3)" heads a part
     depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
     last, first = before[-1], tokens[0]
     if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):

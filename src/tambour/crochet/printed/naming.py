@@ -139,7 +139,7 @@ _SAID: Final = (
     "note notes row rows rnd rnds round rounds instructions begin beg beginning shape divide join joining joined end "
     "continue cont work working fasten stuff sew attach make with using see diagram gauge special abbreviation "
     "abbreviations finishing assembly repeat place change color colour materials size measurements turn insert next "
-    "step skip stitch hook yarn video here and or if now"
+    "step skip stitch hook yarn thread embroider safety video here and or if now"
 )
 _NO_PART: Final = frozenset(_SAID.split())
 """Words that no heading of a part has."""
@@ -175,7 +175,7 @@ def heading_above(text: str, low: int, high: int) -> Heading | None:
 
 
 _PUTS: Final = re.compile(
-    r"\b(?:sew|sewn|attach\w*|join\w*|embroider\w*|place|stuff\w*|fasten|pin|glue|insert|between|leav\w*|cut|long|thread|end)\b",
+    r"\b(?:sew|sewn|attach\w*|join\w*|embroider\w*|place|stuff\w*|fasten|pin|glue|insert|between|leav\w*|cut|long|thread|end|tie off)\b",
     re.IGNORECASE,
 )
 _NEARER: Final = 1  # lines above a first round

@@ -27,6 +27,7 @@ _GLUED: Final = re.compile(
     r"(?<=[a-zà-þ])(?=(?:R|Rnd|Rnds|Rd|Round|Rounds|Row|Rows)[ ]?\d{1,3}(?:[ ]?[-–][ ]?\d{1,3})?[ ]?[:.)])"
 )
 """Where a name ends that a head follows with nothing between: "StemRnd 1:"."""
+_SPELT: Final = ("one", "two", "three", "four", "five", "six")
 _RUN: Final = 2  # rounds of a list whose numbers the page drew
 _FAR: Final = 4  # lines that may stand between two of them
 _AHEAD: Final = 4  # words among which a line's own number stands
@@ -37,7 +38,9 @@ _SHORT: Final = frozenset(("ch", "sc", "dc", "hdc", "tr", "inc", "dec"))
 
 _LETTERED: Final = 3  # lines that begin so
 _ROW_LETTERS: Final = frozenset(("r", "p", "rub", "rubles", "ruble"))
-_SAYING: Final = frozenset(("base", "marker", "second", "2nd", "/"))
+_SAYING: Final = frozenset(("base", "marker", "second", "2nd", "/", "total", "turning", "working", "sctog"))
+_TIMES: Final = re.compile(r"[x*×]\d*$")
+"""What says how often, behind what is repeated."""
 _LAST: Final = r"(?= ?[(\[=]| ?[.;]?$)"
 _SAYINGS: Final = tuple(
     (re.compile(rf"(?<!\S){said}"), meant)
@@ -46,6 +49,11 @@ _SAYINGS: Final = tuple(
         (rf"(sc|hdc|dc) (?:to|until|till) (?:the |your )?(?:stitch )?marker(?!\S){_LAST}", "{1} in each st to end"),
         (rf"(\d+) (sc|hdc|dc) in(?:to)? (?:the )?(second|2nd) (?:ch|chain)(?!\S){_LAST}", "{1} {2} in {3} ch from hook"),
         (r"(sc2tog|dec|invdec) / (?:sc2tog|dec|invdec|dex)(?!\S)", "{1}"),
+        (r"sctog closed (\d+)", "{1} sc through both layers"),
+        (r"(\d+) turning (?:ch|chain)(?!\S)", "ch {1} , turn"),
+        (r"- (?:in )?total \d+ (?:rnds|rounds|rows)$", ""),
+        (r"\( (\d+) \) (\d+|two|three|four|five|six) total (?:rnds|rounds|rows)$", "for {2} rounds ( {1} )"),
+        (r"^((?:make \w+ , )?(?:with|using|in) (?:\S+ ){1,4}), working in (?:the )?(?:rounds?|rows?)$", "{1}"),
     )
 )  # fmt: skip
 
@@ -131,13 +139,27 @@ def _pointed(row: Row) -> Row:
 
 def _said(row: Row) -> Row:
     """``row`` with what blogs say in words of their own as most others do."""
-    tokens = row.tokens
+    tokens = _barred(row.tokens)
     words = {t.word for t in tokens}
     if not words.isdisjoint(_SAYING):
         tokens = reworded(tokens, _SAYINGS)
     if "or" in words and (at := _unclosed(tokens)):
         tokens = tokens[:at]
     return row if tokens is row.tokens else replace(row, tokens=tokens)
+
+
+def _barred(tokens: list[Token]) -> list[Token]:
+    """``tokens`` with bars around what is repeated as brackets: "|inc, sc| x6"."""
+    bars = [k for k, t in enumerate(tokens) if t.word == "|"]
+    if len(bars) < 2 or len(bars) % 2:
+        return tokens
+    pairs = list(zip(bars[::2], bars[1::2], strict=True))
+    if not all(b + 1 < len(tokens) and _TIMES.match(tokens[b + 1].word) for _, b in pairs):
+        return tokens
+    made = list(tokens)
+    for a, b in pairs:
+        made[a], made[b] = replace(tokens[a], word="("), replace(tokens[b], word=")")
+    return made
 
 
 def _unclosed(tokens: list[Token]) -> int:
@@ -282,7 +304,7 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
         if not _bare(rows[k], vocabulary) or not _founds(rows[k], vocabulary):
             k += 1
             continue
-        run, n, at, far = [(k, 1)], 1, k + 1, 0
+        run, n, at, far = [(k, 1)], _many(rows[k].tokens), k + 1, 0
         while at < len(rows) and far <= _FAR:
             row = rows[at]
             if not row.tokens:
@@ -299,8 +321,8 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
             if bare and _founds(row, vocabulary):
                 break
             if bare:
-                n, far = n + 1, 0
-                run.append((at, n))
+                run.append((at, n + 1))
+                n, far = n + _many(row.tokens), 0
             else:
                 far += 1
             at += 1
@@ -309,6 +331,14 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
                 made[line] = _headed(rows[line], number, called)
         k = max(at, k + 1)
     return made
+
+
+def _many(tokens: list[Token]) -> int:
+    """How many rounds a line is: 2 of "sc around for 2 rounds (9)"."""
+    words = [t.word for t in tokens]
+    at = next((k for k, w in enumerate(words[:-2]) if w == "for" and words[k + 2] in ("rounds", "rnds", "rows")), -1)
+    said = words[at + 1] if at >= 0 else "one"
+    return int(said) if said.isdigit() else _SPELT.index(said) + 1 if said in _SPELT else 1
 
 
 def _bears(tokens: list[Token], number: int) -> bool:

@@ -50,6 +50,11 @@ _EXPLAINED: Final = re.compile(r"(?:^|[;|,•])[ \t]*[\w./()]{1,10}[ \t]*(?:=|:|
 _LISTED: Final = re.compile(r"(?:^|;|[-–—:])[ \t]*[^\W\d][\w.]{0,9},[ \t]+[^\W\d][^,;]*(?=;|\.?$)")
 """The same between semicolons, as old booklets have it: "Ch., chain; d.c., double crochet; tr., treble"."""
 
+_SUPPLY: Final = re.compile(
+    r"\W*(?:(?:safety|plastic) (?:eyes?|noses?)|embroidery (?:thread|floss)|(?:tapestry|yarn|darning) needle|stitch markers?|thread (?:to|for) )",
+    re.IGNORECASE,
+)
+"""What begins a thing of a list, whether the list has a heading or none."""
 _SHOWN: Final = re.compile(r"[(\[]\s*see\b[^()\[\]]*[)\]]\W*$", re.IGNORECASE)
 """What stands behind a name that a picture shows: "Neck Flange (see diagram on page 3)."."""
 _COLOURING: Final = re.compile(
@@ -161,6 +166,11 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.heading = None
         p.passed.append(whole)
         return
+    if p.heading is not None and (cut := _dyed_copies(p, tokens)):
+        for part, some in ((tokens[:cut], True), (tokens[cut + 1 :], False)):
+            raw = [t for t in row.tokens if (t.end <= tokens[cut].start) == some and t.start != tokens[cut].start]
+            text_line(p, Row(raw, raw[0].start, raw[-1].end), part)
+        return
     if p.heading is not None and (more := copies_alone(tokens) or _copies(p, row)) is not None:
         p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
@@ -170,7 +180,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     found = (
         copied(p, row, line) or heading(text, row, bare(p, tokens)) or heading(text, row, tokens) or small(p, row, line)
     )
-    if p.mode == "materials" and found is not None and eyes_listed(line):
+    if found is not None and (_SUPPLY.match(line) or (p.mode == "materials" and eyes_listed(line))):
         p.passed.append(whole)  # "Safety eyes, 8 mm (2)" heads no part
         return
     lefts: list[list[Token]] = []
@@ -225,6 +235,12 @@ def _copies(p: State, row: Row) -> tuple[int, Span] | None:
     name = p.heading.name.lower().split() if p.heading is not None else []
     many = copies_of(row.tokens, TERMS[p.language.code].heard, frozenset(w for word in name for w in (word, one(word))))
     return (many, Span(row.tokens[0].start, row.tokens[-1].end)) if many else None
+
+
+def _dyed_copies(p: State, tokens: list[Token]) -> int:
+    """Where the comma stands between copies and a yarn, of a line that says both and nothing else: "Make 2, with white yarn"; 0 for others."""
+    cut = 2 if len(tokens) > 3 and tokens[2].word == "," else 0
+    return cut if cut and copies_alone(tokens[:cut]) and dyed_only(p, tokens[cut + 1 :]) is not None else 0
 
 
 def _defines(tokens: list[Token]) -> bool:

@@ -118,8 +118,10 @@ _OTHERWISE: Final = re.compile(
     re.IGNORECASE,
 )
 """What could be done in place of the line above, which is read."""
-_EXAMPLE: Final = re.compile(r"\W*(?:rnd|round|row)s? ?0\b[^:\n]*: *\W*0+ ", re.IGNORECASE)
-"""How a pattern is to be read, shown on rounds of nothing: "Rnd 0: 0 sc"."""
+_EXAMPLE: Final = re.compile(
+    r"\W*(?:rnd|round|row|r)s? ?0+\b[^:–\n]*[:–] *(?:\W*(?:0+|x+) |[^\n]*(?:→|\bxx\b))", re.IGNORECASE
+)
+"""How a pattern is to be read, shown on rounds of nothing: "Rnd 0: 0 sc", "R0: XX sc"."""
 
 
 def _noted(text: str, rows: list[Row], ours: bool) -> list[Row]:

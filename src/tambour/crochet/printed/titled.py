@@ -218,6 +218,8 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
         return True
     if any(t.word != "all" and (t.value == "each" or t.word == "per") for t in words.read(said)):
         return False  # "make 2 each with A, B and C"
+    if _known(said) and made.copies > 1 and piece.mark in (",", "+", "&"):
+        return True  # "Legs (2), Body and Head": what the second goes on with
     if _known(said) and not piece.bracketed and piece.mark not in _DOTS:
         return False  # "SNOUT, HEAD & TAIL" is one part
     many = copies_of(said, words.heard, name) or (
