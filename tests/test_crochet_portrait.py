@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from tambour.core.errors import Text
 from tambour.core.mesh import Mesh
@@ -28,6 +29,18 @@ def test_a_bowed_sheet_is_laid_flat_with_its_right_side_up() -> None:
     # As one who looks at its right side, from behind, sees it: what was up is away, what was on their right stays there.
     np.testing.assert_allclose(made.vertices[:, 0], -x)
     np.testing.assert_allclose(made.vertices[:, 2], -y)
+
+
+def test_no_corner_of_a_laid_sheet_hovers_above_its_table() -> None:
+    x, y = (each.ravel() for each in np.meshgrid(np.linspace(0, 80, 81), np.linspace(0, 80, 81)))
+    curled = 6.0 * np.clip((x + y - 110.0) / 50.0, 0.0, 1.0) + 1.2 * np.sin(0.1 * x) * np.sin(0.1 * y)
+    loops = np.where((x.astype(int) + y.astype(int)) % 2 == 0, 1.5, 0.0)
+    made = laid(Mesh(np.stack([x, y, curled + loops], axis=1), np.array([[0, 1, 9]])))
+    high = made.vertices[:, 1] - made.vertices[:, 1].min()
+    assert high[loops == 0.0].max() < 2.6  # it was 5.5
+    # A loop stays as high above those about it as it was.
+    grid = high.reshape(81, 81)
+    assert np.median(abs(np.diff(grid, axis=1))) == pytest.approx(1.5, abs=0.2)
 
 
 def test_what_was_worked_in_rows_is_a_sheet_and_a_ball_is_none() -> None:

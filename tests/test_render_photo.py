@@ -194,3 +194,30 @@ def test_shadows_are_cooler_than_what_the_window_lights() -> None:
         cooler = (sky[2] / sky[0]) / (lamp[2] / lamp[0])
         assert (cooler - 1.0) * np.sign(table.warm) > 0.02, name
     assert window(0.0, warm=1.0)[1][-1, 0] > window(0.0, warm=0.0)[1][-1, 0]
+
+
+def test_a_shadow_is_as_soft_as_what_throws_it_is_high_above_the_table_however_tall_the_thing_is() -> None:
+    from tambour.render.light import floor_light, stand, unbroken
+
+    def edges(high: float) -> float:
+        """How far, mm, the light of one lamp goes from dark to bright beyond a wide plate's edge."""
+        x = np.array([-100.0, 100.0])
+        corners = np.array([(a, high, b) for a in x for b in x])
+        plate = Mesh(corners, np.array([[0, 1, 3], [0, 3, 2]], np.int32))
+        down = np.array([[0.0, 1.0, 0.0]])
+        far = np.array([[-140.0, 0.0, -140.0], [140.0, 0.0, 140.0]])
+        lit = unbroken(np.vstack([corners, far]), down, np.ones((1, 3)), np.ones(1, np.bool_), size=1024)
+        stand(lit, plate.vertices, plate.faces, raster.shut(plate), threads=1)
+        share, plot = floor_light(lit, far[0], far[1] + (0.0, 80.0, 0.0), cells=800, taps=32)
+        line = share[400, :, 0]
+        return float(((line > 0.1) & (line < 0.9)).sum() * plot[2])
+
+    low, high = edges(2.0), edges(80.0)
+    assert low < 3.0 and high > 4.0 * low
+
+
+def test_a_grey_thing_by_the_window_is_grey() -> None:
+    """The camera's white is the window's: pictures had one warm cast over all that was in them."""
+    made = photo.picture(sphere((150, 150, 150)), width=64, height=64, samples=2, lights=30)
+    red, _, blue = linear(made.rgba[24:34, 24:40, :3] / 255.0).mean((0, 1))
+    assert 0.95 < red / blue < 1.06

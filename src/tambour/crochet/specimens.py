@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-_TAN, _PALE = "color(#c98f6b)", "color(#f2e6d8)"
-_FLAT = f"@stuffing = none\n{_TAN}\n"
+_BLUE, _PALE = "color(#7f9fae)", "color(#f2e6d8)"
+_FLAT = f"@stuffing = none\n{_BLUE}\n"
 
 
 def _rows(tall: str, lift: str, times: int, *, back: str = "") -> str:
@@ -63,7 +63,7 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "inc": ("a magic ring and increases", _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6")),
     "dec": (
         "decreases, in another yarn",
-        _tube("24 sc", "24 sc", f"[2 sc, {_PALE}, dec, {_TAN}] x 6", "18 sc", "18 sc"),
+        _tube("24 sc", "24 sc", f"[2 sc, {_PALE}, dec, {_BLUE}] x 6", "18 sc", "18 sc"),
     ),
     "blo": ("back loops only, in rounds", _tube("24 sc", "BLO, 24 sc", "24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
     "flo": (
@@ -87,7 +87,7 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     ),
     "spike": (
         "spike stitches",
-        _tube("24 sc", f"{_PALE}, [3 sc, spike] x 6", "24 sc", f"{_TAN}, [sc, spike, 2 sc] x 6", "24 sc"),
+        _tube("24 sc", f"{_PALE}, [3 sc, spike] x 6", "24 sc", f"{_BLUE}, [sc, spike, 2 sc] x 6", "24 sc"),
     ),
     "loopst": ("loop stitches", _tube("24 sc", "24 loopst", "24 sc", "24 loopst", "24 sc")),
     "fur": ("fur stitches", _tube("24 sc", "24 fur", "24 sc", "24 fur", "24 sc")),

@@ -109,11 +109,11 @@ def window(
     turn = azimuth - side
     towards = np.array([cos(high) * sin(turn), sin(high), cos(high) * cos(turn)])
     # The room is brighter on the window's side; the table sends up what is left.
-    cool, sent = 1.0 + warm * np.array([-0.075, -0.01, 0.11]), np.array([1.10, 0.98, 0.82])
+    cool, sent = 1.0 + warm * np.array([-0.06, -0.005, 0.08]), np.array([1.03, 1.0, 0.95])
     bright = np.where(height > 0, 0.42 + 0.3 * height, 0.22 - 0.06 * height) * (1.0 + 0.45 * (dome @ towards))
     sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, sent) * (1.48 / sky)
     lamps = directions(lamp, towards, soft)
-    lamp_weight = np.broadcast_to((1.0 + warm * np.array([0.075, 0.0, -0.11])) * (2.08 / lamp), (lamp, 3))
+    lamp_weight = np.broadcast_to((1.0 + warm * np.array([0.025, 0.0, -0.04])) * (2.08 / lamp), (lamp, 3))
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 
 
@@ -202,6 +202,29 @@ def seen(
 
 
 @kernel
+def above(
+    k: int,
+    px: float,
+    py: float,
+    pz: float,
+    axes: F8x3,
+    origin: F8x2,
+    texel: F8x1,
+    direction: F8x2,
+    depth: F4x3,
+    slack: float,
+) -> float:
+    """How far, mm, towards light ``k`` what keeps it from a point is; 0 where nothing does; slack : see :func:`seen`."""
+    size = depth.shape[1]
+    s = (px * axes[k, 0, 0] + py * axes[k, 0, 1] + pz * axes[k, 0, 2] - origin[k, 0]) / texel[k]
+    t = (px * axes[k, 1, 0] + py * axes[k, 1, 1] + pz * axes[k, 1, 2] - origin[k, 1]) / texel[k]
+    if s < 0.0 or t < 0.0 or s >= size or t >= size:
+        return 0.0
+    far = depth[k, int(t), int(s)] - (px * direction[k, 0] + py * direction[k, 1] + pz * direction[k, 2])
+    return far if far > slack * texel[k] else 0.0
+
+
+@kernel
 def _pool(
     share: F8x3,
     low_x: float,
@@ -230,14 +253,40 @@ def _pool(
             for k in range(len(direction)):
                 if direction[k, 1] <= 0.0:
                     continue
-                # A light stands for a patch of the sky: its shadow is blurred by the patch's size, as seen past the
-                # middle of the thing.
+                # A light stands for a patch of the sky: its shadow is blurred by the patch's size, as seen past what
+                # throws it (Fernando 2005): sharp where it touches the floor, whatever the thing's size. What throws it is
+                # looked for as far about as if it were the thing's middle.
                 away = (
                     (middle[0] - px) * direction[k, 0]
                     + (middle[1] - height) * direction[k, 1]
                     + (middle[2] - pz) * direction[k, 2]
                 )
                 blur = max(away, 0.0) * width[k]
+                over, hidden = 0.0, 0
+                for tap in range(taps):
+                    far = blur * sqrt((tap + 0.5) / taps)
+                    turn = 2.399963229728653 * tap
+                    u, v = far * cos(turn), far * sin(turn)
+                    gap = above(
+                        k,
+                        px + u * axes[k, 0, 0] + v * axes[k, 1, 0],
+                        height + u * axes[k, 0, 1] + v * axes[k, 1, 1],
+                        pz + u * axes[k, 0, 2] + v * axes[k, 1, 2],
+                        axes,
+                        origin,
+                        texel,
+                        direction,
+                        depth,
+                        0.5,
+                    )
+                    if gap > 0.0:
+                        over += gap
+                        hidden += 1
+                if hidden == 0:
+                    for c in range(3):
+                        share[row, column, c] += weight[k, c] * direction[k, 1] / whole[c]
+                    continue
+                blur = over / hidden * width[k]
                 lit = 0.0
                 for tap in range(taps):
                     far = blur * sqrt((tap + 0.5) / taps)

@@ -33,11 +33,11 @@ FALLOFF: Final = 0.16
 """How much less light the picture's corners get."""
 BRIGHT: Final = 0.72
 """Light of the brightest fiftieth of a thing as a camera sets it, where it may."""
-EXPOSED: Final = (0.80, 1.15)
+EXPOSED: Final = (0.78, 0.96)
 """How long the film sees it at least and at most, against one that shows a white wall by the window just white."""
 GRAIN: Final = 0.8
 """Spread of the grain, in codes of 256."""
-CONTRAST: Final = 0.30
+CONTRAST: Final = 0.24
 """How much steeper the film is in its middle."""
 ROOM: Final = 0.76
 """What of the picture the thing fills."""

@@ -25,21 +25,21 @@ from tambour.render.setting import behind, plain
 from tambour.render.shade import HAIRS, shade
 from tambour.render.tables import PLANK, TABLES, tile
 
-# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine; tiles (see shade).
+# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine; tiles; pile (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
-    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.040, 44.0, 0.85, 0.0100, 5.5),
-    "cotton": (0.3, 0.22, 0.08, 14.0, 4.0, 0.34, 0.026, 18.0, 0.5, 0.0085, 4.0),
-    "acrylic": (0.45, 0.32, 0.04, 18.0, 4.0, 0.34, 0.038, 48.0, 0.8, 0.0095, 4.5),
-    "chenille": (0.8, 0.6, 0.0, 1.0, 0.0, 0.0, 0.03, 300.0, 0.72, 0.024, 21.0),
-    "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010, 3.0),
-    "skein": (0.55, 0.3, 0.0, 1.0, 4.0, 0.30, 0.02, 5.0, 0.45, 0.006, 2.0),
-    "plied": (0.6, 0.3, 0.0, 1.0, 0.0, 0.0, 0.03, 60.0, 0.6, 0.010, 3.0),
-    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0, 0.0, 0.0, 2.0),
-    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "felt": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 12.0, 0.3, 0.012, 3.0),
-    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
+    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0),
+    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.014, 42.0, 0.95, 0.0075, 2.0, 0.0),
+    "cotton": (0.3, 0.22, 0.05, 6.0, 4.0, 0.34, 0.008, 8.0, 0.5, 0.0065, 1.6, 0.0),
+    "acrylic": (0.45, 0.32, 0.04, 7.0, 4.0, 0.34, 0.013, 34.0, 0.85, 0.0070, 1.8, 0.0),
+    "chenille": (0.8, 0.6, 0.0, 1.0, 0.0, 0.0, 0.012, 320.0, 0.50, 0.020, 9.0, 1.0),
+    "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010, 3.0, 0.0),
+    "skein": (0.55, 0.3, 0.0, 1.0, 4.0, 0.30, 0.02, 5.0, 0.45, 0.006, 2.0, 0.0),
+    "plied": (0.6, 0.3, 0.0, 1.0, 0.0, 0.0, 0.03, 60.0, 0.6, 0.010, 3.0, 0.0),
+    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0),
+    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0),
+    "felt": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 12.0, 0.3, 0.012, 3.0, 0.0),
+    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0),
+    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0),
 }
 
 OPEN = 0.022
@@ -48,7 +48,7 @@ BEND, SLOPE = 0.5, 0.10
 """Over how much of the picture's height a sheet bends up; how much more light comes to the window's side than to the middle."""
 NEARBY, BOUNCED = 1.2, 0.08
 """How much deeper the shadow is on a table that a wall is about; what part of the light that a thing takes from it it sends back, were it white."""
-SUNNY = 1.18
+SUNNY = 1.1
 """How much more light falls on a table than on what stands upright: the window stands high."""
 _FINEST = 480  # texels along the side of a shadow map
 _BRIGHTEST = 16.0  # what is lighter differs by less than a code

@@ -50,7 +50,7 @@ def _sharp(columns: int, rows: int, table: Table, color: Array) -> Array:
     y = (np.arange(rows) + 0.5)[:, None] / columns
     x = np.broadcast_to((np.arange(columns) + 0.5)[None] / columns - 0.5, (rows, columns))
     s = -x if table.side > 0.0 else x
-    light = 0.74 + 0.1 * np.minimum(y, 1.0) + 0.28 * np.clip(s + 0.5, 0.0, 1.0) ** 1.5
+    light = 0.82 + 0.1 * np.minimum(y, 1.0) + 0.28 * np.clip(s + 0.5, 0.0, 1.0) ** 1.5
     # It falls aslant: what lies further from the window lies lower.
     across, down = (-s - PANES[0]) / PANES[2], (y - PANES[1] - 0.35 * (-s - PANES[0])) / PANES[3]
     panes = (abs(across) < 1.0) & (abs(down) < 1.0) & (abs(across) > 0.07) & (abs(abs(down) - 0.33) > 0.05)

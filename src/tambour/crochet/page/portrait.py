@@ -55,6 +55,8 @@ FLAT: Final = 0.3
 """What is less deep than so much of its width and height is a sheet."""
 PRESSED: Final = 0.025
 """What of its height is pressed flat below a toy on its table."""
+LAID: Final = 16
+"""Cells along a sheet for each of which its underside comes down to the table: larger than a stitch, for its loops stay as high as they are."""
 RESTS: Final = 0.15
 """A leg comes down to the table that ends no higher above it than such a share of the toy's height."""
 FACE: Final = 6
@@ -247,7 +249,8 @@ def pressed(mesh: Mesh, deep: float) -> Mesh:
 
 
 def laid(mesh: Mesh) -> Mesh:
-    """An upright sheet laid on a table, its right side up, as flat as it lies there: what it bows as a whole is smoothed out."""
+    """An upright sheet laid on a table, its right side up, as flat as it lies there: what it bows as a whole is smoothed out, and what
+    stands off the table comes down to it by its own weight."""
     from dataclasses import replace
 
     import numpy as np
@@ -256,9 +259,26 @@ def laid(mesh: Mesh) -> Mesh:
     a, b = (each - each.mean() for each in (x, z)) if len(x) else (x, z)
     bow = np.stack([np.ones(len(a)), a, b, a * a, a * b, b * b], axis=1)
     some = slice(None, None, max(1, len(a) // 5000))
-    return replace(
-        mesh, vertices=np.stack([x, y - bow @ np.linalg.lstsq(bow[some], y[some], rcond=None)[0], z], axis=1)
-    )
+    y = y - bow @ np.linalg.lstsq(bow[some], y[some], rcond=None)[0]
+    return replace(mesh, vertices=np.stack([x, y - _hollow(x, y, z), z], axis=1))
+
+
+def _hollow(x: Array, y: Array, z: Array) -> Array:
+    """How far (V,) above the table the underside of a sheet is about each of its points, in the mean of a few cells."""
+    import numpy as np
+    from scipy.ndimage import distance_transform_edt, gaussian_filter, map_coordinates
+
+    if not len(x):
+        return y
+    step = max(float(np.ptp(x)), float(np.ptp(z)), 1e-9) / LAID
+    at = np.stack([(x - x.min()) / step, (z - z.min()) / step])
+    cell = at.astype(np.int64)
+    under = np.full((LAID + 1, LAID + 1), np.inf)
+    np.minimum.at(under, (cell[0], cell[1]), y)
+    # Beside it, as at its edge.
+    near = distance_transform_edt(np.isinf(under), return_distances=False, return_indices=True)
+    under = gaussian_filter(under[near[0], near[1]], 1.0, mode="nearest")
+    return np.asarray(map_coordinates(under, at - 0.5, order=1, mode="nearest") - under.min())
 
 
 def several(piece: Plush) -> bool:
