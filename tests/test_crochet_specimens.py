@@ -52,6 +52,19 @@ def test_what_no_specimen_is_and_what_needs_one() -> None:
         make(None, CrochetParams(), Progress())
 
 
+def test_a_stitch_around_a_post_stands_before_the_fabric_or_behind_it() -> None:
+    """A fifth of a stitch before the others it was lost among their ropes."""
+    ahead = {}
+    for name in ("fpdc", "bpdc"):
+        graph = build(parse(Text(text(name)))).graph
+        led = lead.way(graph, "over")
+        inside = (led.at[:, 1] > 0.2) & (led.at[:, 1] < 1.0)
+        for kind in (name, "dc"):
+            own = led.at[inside & (graph.kind[led.cell] == graph.kinds.index(kind))]
+            ahead[kind] = float(own[:, 2].mean())
+        assert abs(ahead[name] - ahead["dc"]) > 0.25 and (ahead[name] > ahead["dc"]) == (name == "fpdc")
+
+
 def test_popcorns_are_no_bobbles() -> None:
     """A popcorn's whole stitches show their tops in front: its yarn stands out more, and there is more of it."""
     graph = [build(parse(Text(text(name)))).graph for name in ("bobble", "popcorn")]

@@ -324,7 +324,7 @@ def _shapes(graph: StitchGraph) -> tuple[Array, Array, Array]:
     deep, relief = np.zeros(len(graph.kinds)), np.zeros(len(graph.kinds))
     for k, kind in enumerate(graph.kinds):
         if kind in POSTS:
-            deep[k], relief[k] = 0.45, 0.28 if kind.startswith("fp") else -0.28
+            deep[k], relief[k] = 0.45, 0.42 if kind.startswith("fp") else -0.42
         elif kind == "spike":
             deep[k] = 1.0
     count = np.diff(graph.anchor_offsets)

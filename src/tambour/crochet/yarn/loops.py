@@ -134,8 +134,9 @@ SUNK: Final = (0.1, 0.1)
 ASTRIDE: Final = 0.12
 """How much further apart, each, the legs of a loop stand that is drawn through two stitches."""
 
-POST, NARROW = 0.13, 0.5
-"""Where a tall stitch's post stands, and how far apart the legs of a tall stitch stand, as a share of a single crochet's."""
+POST, NARROW, CLOSE = 0.13, 0.5, 0.34
+"""Where a tall stitch's post stands, and how far apart its legs stand, as a share of a single crochet's; and of one worked around a post, which
+is drawn out long and stands alone before the fabric, or behind it: one column."""
 
 TALL: Final = 1.75
 """Stitches of this height, in single crochets, and higher have a post of several loops, one above the other."""
@@ -235,7 +236,7 @@ def lead(
                 u, v, w = use[k, 0], use[k, 1], use[k, 2]
                 if stories > 1 and not bulging:
                     # A tall stitch stands upright, its legs side by side: a post, and air beside it.
-                    u = POST + NARROW * (u - lean * v - POST)
+                    u = POST + (NARROW if relief[i] == 0.0 else CLOSE) * (u - lean * v - POST)
                 elif story > 0:
                     u += SHEAR * min(1.0, max(0.0, 0.6 - v))
                 if bulging and v > 0.3 and story < stories - 1:
