@@ -9,7 +9,7 @@ from tambour.core.errors import Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.page import portrait
-from tambour.crochet.page.portrait import PRESSED, laid, pressed, sagging, sheet
+from tambour.crochet.page.portrait import PRESSED, eased, laid, pressed, sagging, sheet
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
@@ -41,6 +41,15 @@ def test_no_corner_of_a_laid_sheet_hovers_above_its_table() -> None:
     # A loop stays as high above those about it as it was.
     grid = high.reshape(81, 81)
     assert np.median(abs(np.diff(grid, axis=1))) == pytest.approx(1.5, abs=0.2)
+
+
+def test_a_disc_comes_down_to_its_table_and_a_frill_keeps_its_waves() -> None:
+    x, z = (each.ravel() for each in np.meshgrid(np.linspace(0, 80, 81), np.linspace(0, 80, 81)))
+    for wave in (1.0, 12.0):
+        y = 0.5 * wave * (1.0 + np.sin(0.12 * x))
+        made = eased(Mesh(np.stack([x, y, z], axis=1), np.array([[0, 1, 81]])), 2.5)
+        high = np.ptp(made.vertices[:, 1])
+        assert high < 0.6 if wave == 1.0 else high > 9.0
 
 
 def test_what_was_worked_in_rows_is_a_sheet_and_a_ball_is_none() -> None:

@@ -57,6 +57,8 @@ PRESSED: Final = 0.025
 """What of its height is pressed flat below a toy on its table."""
 LAID: Final = 16
 """Cells along a sheet for each of which its underside comes down to the table: larger than a stitch, for its loops stay as high as they are."""
+EASED: Final = 0.5
+"""How far what was worked flat comes down to the table at the most, in stitches."""
 RESTS: Final = 0.15
 """A leg comes down to the table that ends no higher above it than such a share of the toy's height."""
 FACE: Final = 6
@@ -99,8 +101,11 @@ def _taken(piece: Plush, detail: str | None, staged: bool = False, **asked: Any)
         made, cast = laid(made), laid(cast)
         if staged and swatch(piece):
             made, cast = tailed(piece, made, cast)
-    elif face_down(piece):
-        made, cast = turned(made), turned(cast)
+    elif lies(piece) and not several(piece):
+        if face_down(piece):
+            made, cast = turned(made), turned(cast)
+        most = EASED * piece.built.graph.stitch_width
+        made, cast = eased(made, most), eased(cast, most)
     else:
         deep = sagging(piece)
         made, cast = pressed(made, deep), pressed(cast, deep)
@@ -261,6 +266,16 @@ def laid(mesh: Mesh) -> Mesh:
     some = slice(None, None, max(1, len(a) // 5000))
     y = y - bow @ np.linalg.lstsq(bow[some], y[some], rcond=None)[0]
     return replace(mesh, vertices=np.stack([x, y - _hollow(x, y, z), z], axis=1))
+
+
+def eased(mesh: Mesh, most: float) -> Mesh:
+    """A mesh that lies on a table, come down to it by no more than ``most`` mm: what waves or stands up goes on doing so."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    x, y, z = mesh.vertices.T
+    return replace(mesh, vertices=np.stack([x, y - np.minimum(_hollow(x, y, z), most), z], axis=1))
 
 
 def _hollow(x: Array, y: Array, z: Array) -> Array:
