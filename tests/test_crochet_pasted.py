@@ -333,3 +333,48 @@ def test_what_a_round_does_in_its_head_moves_no_stitches() -> None:
     line = [one for one in _whole(text).parts[0].lines if one.in_round][2]
     assert [getattr(i, "times", 1) for i in line.items if getattr(i, "name", "") == "sc"][:2] == [2, 2]
     assert getattr(line.items[0], "name", "") == "sc"
+
+
+def test_slip_stitches_that_increase_are_two_in_one() -> None:
+    """In a repeat two in the next stitch were one in each of two, unsaid."""
+    pattern = _whole(
+        "Bud\nR1: 6 sc in MR (6)\nR2: *2 slip sts in next slip st, slip st in next slip st; repeat from * around.\n"
+    )
+    assert pattern.built is not None and pattern.built.worked[-1].edge == 9
+
+
+def test_a_place_at_the_end_of_a_row_works_no_row_again() -> None:
+    text = "Bar\nRow 1: Ch 6, sc in 2nd ch from hook and in each ch across (5)\nRow 2: Ch 1, turn, sc in each st (5)\nNext row: Ch 3, 2 dc in same end of Row 1—3 dc.\n"
+    pattern = _read(text)
+    assert sum(line.times for line in pattern.parts[0].lines if line.in_round) == 3  # the row was worked twice
+    assert account(pattern)["not_understood"]
+
+
+def test_a_name_below_a_comma_heads_a_part() -> None:
+    text = "Cape\nCh 6.\nRow 1: sc in 2nd ch from hook and in each ch across (5)\nRow 2: Ch 1, turn, sc in each st until piece is big,\nBib\nRow 1: Ch 1, turn, sc2tog, sc, sc2tog (3)\n"
+    words = [text[line.span.start : line.span.end] for part in _read(text).parts for line in part.lines]
+    assert not any("Bib" in said for said in words)
+
+
+def test_of_numbers_that_begin_again_the_latest_are_repeated() -> None:
+    text = (
+        "Vest\nRow 1: Ch 7, sc in 2nd ch from hook and in each ch across (6)\nRow 2: Ch 1, turn, 6 sc (6)\nRow 3: Ch 1, turn, 5 sc, inc (7)\n"
+        "Row 3: Ch 1, turn, inc, 6 sc (8)\nRow 4: Ch 1, turn, 8 sc (8)\nRow 5: Repeat Row 3.\n"
+    )
+    pattern = _read(text)
+    again = pattern.parts[0].lines[-1].again
+    assert again is not None and again.lines[0].stated == 8
+
+
+def test_an_edge_that_is_not_known_is_a_chain_of_the_yarn_that_is_joined() -> None:
+    text = "Body\nUsing red\nR1: 6 sc in MR (6)\nR2: 6 inc (12)\nFasten off.\nNeck\nR1: Attach blue to any sc in neck opening; ch 1, sc in each sc around (12)\nR2: sc around (12)\n"
+    lines = _read(text).parts[-1].lines
+    at = next(k for k, line in enumerate(lines) if any(getattr(i, "name", "") == "ch" for i in line.items))
+    hues = [i for line in lines[:at] for i in line.items if getattr(i, "name", "") == "color"]
+    assert hues and getattr(hues[-1], "numbers", (0, 0, 0))[2] > getattr(hues[-1], "numbers", (0, 0, 0))[0]
+
+
+def test_a_list_of_stitches_is_no_part() -> None:
+    """Each of them was a round."""
+    text = "Drake\n\n## Stitches\n\n- Magic Ring\n- Chain Stitch\n- Slip Stitch\n- Increase\n\n## Body\nRound 1: 6 sc in MR (6)\nRound 2: Crochet the complete round into the front loop only. (1 sc, 1 increase) repeat around (9)\n"
+    assert _parts(_whole(text)) == [("Body", 1, 2)]

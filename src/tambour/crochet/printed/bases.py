@@ -262,6 +262,9 @@ def based(p: State, draft: Draft, head: Head, read: Body, what: tuple[list[Token
         at,
     )
     said = (_clause(p, read.moved.span),) if read.moved is not None else ()
+    hue = read.items[0] if read.items else None
+    if isinstance(hue, Action) and hue.name == "color":
+        draft.lines.append(Line((hue,), at, False))  # the chain is of the yarn that is joined for the round
     draft.lines.append(
         Line(foundation(count, at, head.row), at, False, notes=said)
     )  # what is amiss in the round is not in its chain; where hands work it stands beside

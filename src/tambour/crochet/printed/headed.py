@@ -261,6 +261,8 @@ class Headed(State):
                     draft.add(self.source, head, read, span, notes)
             if not draft.started(self.source):
                 self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
+                hues = [i for i in read.items[:1] if isinstance(i, Action) and i.name == "color"]
+                self.lead += [Line((hue,), span, False) for hue in hues]  # what follows is of its yarn
                 return
             joined = any(isinstance(i, Action) and i.name == "join" for i in read.items[:-1])
             used = stitches_of(read.items, edge or 0, self.source.stitches) if read.fit == 1 and not joined else None

@@ -12,6 +12,7 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wrapping import step
 
+_NAME: Final = 3  # words of a part's name
 _COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
 
@@ -70,6 +71,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return None  # "Sc2tog:", above how it is made
     if [t.value for t in tokens[-3:-2]] == ["make"] and tokens[-2].kind == "number" and tokens[-1].word == ")":
         return None  # "Spike (make 3)" heads a part
+    if before[-1].word == "," and _heads_part(p, at):
+        return None  # "… until piece measures 7 in.,", "Bib" and "Row 1:" below it
     depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
     last, first = before[-1], tokens[0]
     if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):
@@ -103,6 +106,15 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
         return tokens
     return None
+
+
+def _heads_part(p: State, at: int) -> bool:
+    """Whether line ``at`` is no more than a name with a capital, over a first round."""
+    words, below = p.rows[at].tokens, p.rows[at + 1].tokens if at + 1 < len(p.rows) else []
+    if not 0 < len(words) <= _NAME or any(t.kind != "word" for t in words) or not words[0].capital:
+        return False
+    found = heads(p.vocabulary.read(below)) if below else []
+    return bool(found) and found[0][0] == 0 and found[0][1].numbers[:1] == (1,)
 
 
 def _other_side(tokens: list[Token]) -> bool:

@@ -346,25 +346,31 @@ class Draft:
         """The rounds that are named, none where one of them is not there."""
         if refers.numbers:
             first, last = refers.numbers[0], refers.numbers[-1]
-            return written(self.lines, first, last) if last >= first else ()
+            if last < first:
+                return ()
+            begins = [k for k, line in enumerate(self.lines) if line.in_round and line.number == first]
+            for k in reversed(begins[1:]):  # numbers may begin again, "Right back", "Left back": the latest are meant
+                if found := written(self.lines[k:], first, last):
+                    return found
+            return written(self.lines, first, last)
         if refers.marks:
             found_at = self.between(refers.marks)
             return tuple(line for line in self.lines[slice(*found_at)] if line.in_round) if found_at else ()
         rounds = [line for line in self.lines if line.in_round]
         if refers.latest:
-            found: list[Line] = []
+            latest: list[Line] = []
             want = refers.latest
             while rounds and want:
                 line = rounds.pop()
                 if line.times <= want:
-                    found.insert(0, line)
+                    latest.insert(0, line)
                 elif line.again is None:
                     number = None if line.number is None else line.number + line.times - want
-                    found.insert(0, replace(line, times=want, number=number))
+                    latest.insert(0, replace(line, times=want, number=number))
                 else:
-                    found[:0] = list(line.rounds())[-want:]
+                    latest[:0] = list(line.rounds())[-want:]
                 want -= min(want, line.times)
-            return () if want else tuple(found)
+            return () if want else tuple(latest)
         if refers.through:
             return written(self.lines, next((n.number for n in rounds if n.number), 1), refers.through)
         return tuple(rounds)

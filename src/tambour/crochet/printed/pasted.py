@@ -38,7 +38,9 @@ _SHORT: Final = frozenset(("ch", "sc", "dc", "hdc", "tr", "inc", "dec"))
 
 _LETTERED: Final = 3  # lines that begin so
 _ROW_LETTERS: Final = frozenset(("r", "p", "rub", "rubles", "ruble"))
-_SAYING: Final = frozenset(("base", "marker", "second", "2nd", "/", "total", "turning", "working", "sctog"))
+_SAYING: Final = frozenset(
+    ("base", "marker", "second", "2nd", "/", "total", "turning", "working", "sctog", "complete", "whole", "entire")
+)
 _TIMES: Final = re.compile(r"[x*×]\d*$")
 """What says how often, behind what is repeated."""
 _LAST: Final = r"(?= ?[(\[=]| ?[.;]?$)"
@@ -49,6 +51,7 @@ _SAYINGS: Final = tuple(
         (rf"(sc|hdc|dc) (?:to|until|till) (?:the |your )?(?:stitch )?marker(?!\S){_LAST}", "{1} in each st to end"),
         (rf"(\d+) (sc|hdc|dc) in(?:to)? (?:the )?(second|2nd) (?:ch|chain)(?!\S){_LAST}", "{1} {2} in {3} ch from hook"),
         (r"(sc2tog|dec|invdec) / (?:sc2tog|dec|invdec|dex)(?!\S)", "{1}"),
+        (r"(?:crochet|work) the (?:complete|whole|entire) round in(?:to)? the (front|back) loops? only[ .:,]*", "in {1} loops only ,"),
         (r"sctog closed (\d+)", "{1} sc through both layers"),
         (r"(\d+) turning (?:ch|chain)(?!\S)", "ch {1} , turn"),
         (r"- (?:in )?total \d+ (?:rnds|rounds|rows)$", ""),

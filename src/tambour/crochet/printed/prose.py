@@ -166,6 +166,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.heading = None
         p.passed.append(whole)
         return
+    if row.marked and not p.parts and [t.word for t in names] == ["stitches"]:
+        p.mode, p.heading = "abbreviations", None  # a list of those that are used, and no part
+        p.passed.append(whole)
+        return
     if p.heading is not None and (cut := _dyed_copies(p, tokens)):
         for part, some in ((tokens[:cut], True), (tokens[cut + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= tokens[cut].start) == some and t.start != tokens[cut].start]

@@ -356,6 +356,10 @@ def _lower(
     if place.kind == "same" or (place.kind == "hook" and (k or 1) > 1):
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
     count = place.count
+    if name == "slst" and count == 1 and k in (2, 3) and before is not None and (r.depth or r.stars):
+        return placed(
+            r, found, [Action(name, token.span, k, at)], place, token.span
+        )  # "*2 sl sts in next st, sl st in next st"
     if name in ("ch", "slst", "skip"):
         return [Action(name, token.span, k if k is not None and count == 1 else count, place.span)]
     if place.together:

@@ -205,6 +205,9 @@ class Trade(Dyes):
             self.even(found, token)
         elif word == "thicknesses":
             self.folding(found, token)
+        elif word in ("round", "row") and c.at > 1 and c.tokens[c.at - 2].word == "end":
+            end = c.tokens[c.at - 2]  # "2 dc in same end of Row 3" has no row worked again
+            raise NotUnderstood(end, "where this is worked is not understood", "name the round, and the stitch of it")
         elif (
             word in ("repeat", "as", "same")
             or (word == "from" and c.mark("**", "***"))
