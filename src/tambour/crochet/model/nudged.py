@@ -16,6 +16,7 @@ from tambour.crochet.model.posed import ALONG
 from tambour.crochet.model.rounds import pattern
 from tambour.crochet.model.settled import together
 from tambour.crochet.model.tips import Mirror
+from tambour.geometry.closest import nearest, tree
 from tambour.geometry.crossed import crossed
 from tambour.geometry.motion import dot, fit, length, turned
 from tambour.geometry.surface import vertex_normals
@@ -28,6 +29,8 @@ CLASH = 0.03
 """How much farther off, in stitches, a toy may be for two seams that are not in each other's way."""
 CROSSED, RESTLESS = 8.0, 0.05
 """The same for fabric that does not pass through itself, times the share of it that does; and for a toy that comes to rest."""
+UNEVEN = 0.05
+"""The same for each stitch by which the two of a pair do not lie at rest as each other's mirror image."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -51,17 +54,35 @@ def rested(
     target: Target,
     params: CrochetParams,
     stitch: tuple[float, float],
+    plane: Mirror | None = None,
 ) -> Rest:
-    """The pieces sewn on as ``lines`` say, which put them at ``first`` (N, 3), at rest."""
+    """The pieces sewn on as ``lines`` say, which put them at ``first`` (N, 3), at rest. plane : the model's mirror, left and right."""
     built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
     goal = np.concatenate([g for p in pieces for g in p.goals])
-    far = distance(target, x, faces, fit(x, goal, np.ones(len(x)))).mean
+    lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
+    far = lain.mean
     joining = prepare(built)
     assert joining is not None
     crowd = clashes(joining)
     through = crossed(x, faces)
     price = far + CLASH * len(crowd) + CROSSED * len(through) / len(faces) + (0.0 if rests else RESTLESS)
+    if plane is not None:
+        price += UNEVEN * uneven(pieces, turned(x, lain.turn) + lain.shift, plane)
     return Rest(first, x, far, price, crowd, missing(pieces, x, faces[:, 0], faces[through, 0], crowd))
+
+
+def uneven(pieces: list[Piece], x: Array, plane: Mirror) -> float:
+    """How far off, in stitches, the fabric of the one of a pair lies from where the other's is in the mirror ``plane``, on the average.
+
+    x : (N, 3) all nodes, upon the model; 0 where there are no pairs. The toy is asked, not its words: rounds climb and columns lean the same way on either side, so that two parts whose seams are said
+    as each other's image do not come to lie so.
+    """
+    span, off = spans(pieces), []
+    for k, piece in enumerate(pieces):
+        if piece.rounds.copies == 2 and piece.bases[0] is not None:
+            one, two = (x[span[k, c]] for c in range(2))
+            off.append(float(nearest(tree(two, piece.tried.worked.graph.faces), plane.image(one))[2].mean()))
+    return float(np.mean(off)) if off else 0.0
 
 
 def missing(

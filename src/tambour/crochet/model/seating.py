@@ -22,12 +22,16 @@ if TYPE_CHECKING:
 
 ALL = 4
 """How often the parts are put together, all aimed by what all gave way."""
-SOUGHT, PAIRED = 8, 4
+SOUGHT, PAIRED = 3, 2
 """How often each part is then tried elsewhere, all at once, and keeps the best it had; and, after that, how often pairs that say the same
 angles are."""
+SINGLY, SINGLY_PAIRED = 7, 4
+"""After either, how often one part, or one pair, is tried elsewhere by itself and kept where the whole comes nearer."""
+HOPE = 0.02
+"""Toys of pairs that say the same angles are not gone on with where they are farther off by so much, in stitches, than what they may be."""
 LARGE = 4000
 """Stitches of a toy that is tried fewer times than a smaller one, as its simulation takes longer."""
-PAIR = 0.08
+PAIR = 0.01
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 WORTH = 0.3
 """How much farther off than it was at its best, in stitches, a part may be likely to come, to be tried there: how it gives way is other in
@@ -48,7 +52,7 @@ def seated(
     """
     if all(base is None for p in pieces for base in p.bases):
         return pieces, [], []
-    seats = Seats(pieces, target, params, stitch)
+    seats = Seats(pieces, target, params, stitch, plane)
     nudges: Nudges = {}
     far: dict[Key, float] = {}
     for k in range(ALL):
@@ -63,10 +67,13 @@ def seated(
     many = min(1.0, LARGE / sum(len(g) for p in pieces for g in p.goals))
     singles: list[tuple[Key, ...]] = [(key,) for key in seats.keys]
     sought(seats, singles, None, max(2, round(SOUGHT * many)))
+    changed(seats, singles, None, max(2, round(SINGLY * many)))
     pairs = [tuple((k, c) for c in range(p.rounds.copies)) for k, p in enumerate(pieces) if p.rounds.copies == 2]
     if plane is not None and pairs:
         both = {key for pair in pairs for key in pair}
-        sought(seats, [*pairs, *(one for one in singles if one[0] not in both)], plane, max(2, round(PAIRED * many)))
+        units = [*pairs, *(one for one in singles if one[0] not in both)]
+        sought(seats, units, plane, max(2, round(PAIRED * many)))
+        changed(seats, units, plane, max(2, round(SINGLY_PAIRED * many)))
     return seats.best.pieces, seats.best.put.lines, seats.way
 
 
@@ -74,7 +81,7 @@ def seated(
 class Seat:
     """One way in which all parts were sewn on.
 
-    nudges : how they were aimed; price : what it came to
+    nudges : how they were aimed; price : what it came to; even : whether pairs say the same angles
     """
 
     pieces: list[Piece]
@@ -82,6 +89,7 @@ class Seat:
     rest: Rest
     nudges: Nudges
     price: float
+    even: bool = False
 
 
 @dataclass(eq=False, slots=True)
@@ -95,6 +103,7 @@ class Seats:
     target: Target
     params: CrochetParams
     stitch: tuple[float, float]
+    plane: Mirror | None = None
     had: list[Seat] = field(default_factory=list)
     away: dict[Key, Array] = field(default_factory=dict)
 
@@ -126,10 +135,10 @@ class Seats:
         """Whether parts were sewn on so before."""
         return any(seat.pieces is self.pieces and seat.put.lines == put.lines for seat in self.had)
 
-    def rest(self, put: Put, nudges: Nudges, less: float = 0.0) -> Rest:
+    def rest(self, put: Put, nudges: Nudges, less: float = 0.0, even: bool = False) -> Rest:
         """How all comes to rest that is put so; its price is taken for ``less`` than it is."""
-        now = rested(self.pieces, put.lines, put.x, self.target, self.params, self.stitch)
-        self.had.append(Seat(self.pieces, put, now, nudges, now.price - less))
+        now = rested(self.pieces, put.lines, put.x, self.target, self.params, self.stitch, self.plane)
+        self.had.append(Seat(self.pieces, put, now, nudges, now.price - less, even))
         self.away = {}
         names = {p.name(c): (k, c) for k, p in enumerate(self.pieces) for c in range(len(p.goals))}
         for one, other in now.crowd:
@@ -182,8 +191,43 @@ def sought(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, tim
         put = placed(seats.pieces, seats.aimed(aims), even, seats.fine, stays, had)
         if seats.known(put) and mine:
             break
-        seats.rest(put, aims, less)
+        seats.rest(put, aims, less, even)
         mine.append(seats.had[-1])
+
+
+def changed(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, times: int) -> None:
+    """Tries one unit after another elsewhere in the best toy there is, all others where they are, and keeps what brings the whole nearer; the
+    one that lies off by most, for its size, first: what is best for each part is not for all of them, which give way together.
+
+    plane : of pairs that say the same angles as each other's mirror image: those are not gone on with that are still far behind
+    """
+    even, less = plane is not None, PAIR if plane is not None else 0.0
+    same = [seat for seat in seats.had if seat.pieces is seats.pieces]
+    pool = [seat for seat in same if seat.even == even or not even]
+    if not pool:
+        return
+    now = min(pool, key=lambda seat: seat.price)
+    if now.price > seats.best.price + HOPE:
+        return
+    had = {unit[0]: [seat.put.said[unit[0]] for seat in same] for unit in units}
+    size = {(k, c): len(goal) for k, p in enumerate(seats.pieces) for c, goal in enumerate(p.goals)}
+    order: list[tuple[Key, ...]] = []
+    for _ in range(times):
+        if not order:
+            order = sorted(units, key=lambda unit: -sum(size[key] * now.rest.off[key] for key in unit))
+        unit = order.pop(0)
+        home = nudged(seats.pieces, now.rest.first, now.rest.x)[0]
+        aims = {**now.nudges, **{key: home[key] for key in unit}}
+        if plane is not None:
+            aims = alike(seats.pieces, aims, plane)
+        stays = {key: said for key, said in now.put.said.items() if key not in unit}
+        put = placed(seats.pieces, seats.aimed(aims), even, seats.fine, stays, had)
+        had[unit[0]].append(put.said[unit[0]])
+        if seats.known(put):
+            continue
+        seats.rest(put, aims, less, even)
+        if seats.had[-1].price < now.price:
+            now = seats.had[-1]
 
 
 def fitted(piece: Piece, far: list[float], params: CrochetParams, stitch: tuple[float, float]) -> Piece:
