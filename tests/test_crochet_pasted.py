@@ -378,3 +378,50 @@ def test_a_list_of_stitches_is_no_part() -> None:
     """Each of them was a round."""
     text = "Drake\n\n## Stitches\n\n- Magic Ring\n- Chain Stitch\n- Slip Stitch\n- Increase\n\n## Body\nRound 1: 6 sc in MR (6)\nRound 2: Crochet the complete round into the front loop only. (1 sc, 1 increase) repeat around (9)\n"
     assert _parts(_whole(text)) == [("Body", 1, 2)]
+
+
+def test_eyes_behind_a_round_on_its_line_are_put_where_it_says() -> None:
+    """They were only printed, and put where most have them."""
+    text = "Head\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-6: 12 sc (12)\n7th rnd: 1 sc in each sc around. Insert safety eyes between 4th and 5th rnds 3 sts apart.\nRnd 8: dec x 6 (6)\n"
+    assert [type(one).__name__ for one in _whole(text).finish] == ["Eye", "Eye"]
+
+
+def test_yarns_told_in_sentences() -> None:
+    text = "Mole\nBoth: Dark gray fur is Color 1. Pink is Color 2.\nHead\nWith Color 1, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: With Color 2, 2 sc in each sc. 12 sc.\n"
+    assert not any("our choice" in w.message for w in _read(text).warnings)
+
+
+def test_work_behind_a_bracket_that_is_not_closed_is_told() -> None:
+    """What followed "(or" was cut away, unsaid."""
+    pattern = _read(
+        "Cap\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: 12 sc (or 12 hdc for a taller cap, 6 dec\n"
+    )
+    assert account(pattern)["not_understood"] or account(pattern)["rounds_taken"]
+
+
+@pytest.mark.parametrize(
+    "text, parts",
+    [
+        ("Bola\nV1: 6p en anillo mágico (6)\nV2: (1p, 1aum) x 3 (9)\nV3: 9p (9)\nBrazos\n6p en anillo mágico (6)\n6p (6)\n6p (6)\n", 2),
+        ("Cat\nHead\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nBall of yarn\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\n", 2),
+    ],
+)  # fmt: skip
+def test_stitches_and_names_that_are_no_rows_and_no_yarns(text: str, parts: int) -> None:
+    assert len(_read(text).parts) == parts
+
+
+def test_letters_of_colours_are_no_rows() -> None:
+    text = "Bag\nRow 1: Ch 13, sc in 2nd ch from hook and in each ch across (12)\nRow 2: Ch 1, turn, 12 sc (12)\n3r, 3p, 6 sc\n3r, 3p, 6 sc\n3p, 3r, 6 sc\n"
+    assert sum(line.times for line in _read(text).parts[0].lines if line.in_round and line.number == 3) == 0
+
+
+def test_a_round_behind_another_way_is_worked() -> None:
+    text = "Cap\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nAnother method: crochet it flat. Rnd 3: dec x 6 (6)\n"
+    assert _counts(_read(text)) == [6, 12, 6]
+
+
+def test_a_range_behind_a_count_that_works_nothing_is_no_round() -> None:
+    pattern = _read(
+        "Nut\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: dec x 6 (6) Place eyes (6 mm) 5-6. Then close.\n"
+    )
+    assert _counts(pattern) == [6, 12, 6]

@@ -225,13 +225,17 @@ _DASHED: Final = re.compile(
 _YARNED: Final = re.compile(r"^([A-Za-z]{3,}(?: [a-z]+)?)[ \t]+[Yy]arn\b")
 _NUMBERED: Final = re.compile(r"(?:^|[,:;]|\b(?:and|using|with))\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 
+_IS: Final = re.compile(
+    r"(?:^|[.,;:]\s*)(?:[Tt]he )?([A-Z]?[a-z]+(?: [a-z]+){0,2}?)(?: fur| yarn| wool)? is [Cc]olou?r (\d)\b"
+)
+"""The same in sentences: "Dark gray is Color 1. Pink is Color 2."."""
 _AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|C[A-E]|[A-K])\b")
 
 
 def numbered(palette: Palette, line: str) -> bool:
     """Takes "Purple as Color 1, Blue as Color 2", or "White as A", of several versions of a toy the first; whether a line
     says such."""
-    found = _NUMBERED.findall(line)
+    found = _NUMBERED.findall(line) or (_IS.findall(line) if " is " in line else [])
     for name, number in found:
         hue = palette.given.get(name.lower()) if len(name) <= 2 else dyed(name)
         palette.named.setdefault(number, name)

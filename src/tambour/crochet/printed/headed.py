@@ -31,7 +31,7 @@ from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.motifs import chained
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.put import ended, finishing, sews, stuffed
+from tambour.crochet.printed.put import ended, eyed, finishing, sews, stuffed
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import worked as stitches_of
 from tambour.crochet.printed.remarks import remark
@@ -222,7 +222,7 @@ class Headed(State):
         instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
         notes = tuple(Span(d[0].start, ended(self.source.text.text, d[-1].end)) for d in read.doings if d)
         for done in filter(None, read.doings):
-            amount = None if sews(self, done) and finishing(self, done) else stuffed(done)
+            amount = None if (sews(self, done) or eyed(done)) and finishing(self, done) else stuffed(done)
             if amount is not None and amount >= 0:
                 draft.stuffing = amount
         if read.refers is not None:

@@ -120,7 +120,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
         copies, at = found
     elif (ranks := _RANKS.match(text, name[0].start)) and int(ranks[1]) < int(ranks[2]):
         copies = int(ranks[2]) - int(ranks[1]) + 1  # "2nd to 8th Tentacles"
-    if name[0].word in ("use", "using") or name[-1].word in _HUED:
+    of_it = " of " in text[name[0].start : name[-1].end].lower()  # "Ball of yarn"
+    if name[0].word in ("use", "using") or (name[-1].word in _HUED and not of_it):
         return None  # "Use colour of your choice", "LIGHT COLOUR"
     colon = c.mark(":")
     c.at += colon

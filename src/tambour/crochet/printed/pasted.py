@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.heads import heads
@@ -36,6 +37,7 @@ _ENDS: Final = (")", "]", "}")
 _SHORT: Final = frozenset(("ch", "sc", "dc", "hdc", "tr", "inc", "dec"))
 
 
+_FOUNDING: Final = frozenset(("ring", "circle", "loop", "hook"))
 _LETTERED: Final = 3  # lines that begin so
 _ROW_LETTERS: Final = frozenset(("r", "p", "rub", "rubles", "ruble"))
 _SAYING: Final = frozenset(
@@ -93,7 +95,8 @@ def pasted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> l
     """``rows`` as they stood on the page. called : the word for a round."""
     cuts = [found.start() for found in _GLUED.finditer(text)]
     rows = [_opened(row, cuts) for row in rows] if cuts else rows
-    rows = _lettered([_said(_pointed(row)) for row in rows])
+    rows = [_said(_pointed(row)) for row in rows]
+    rows = _lettered(rows) if vocabulary.code in ("us", "uk", "letters") else rows
     rows = _resumed(_sloped(rows))
     rows = [part for row in rows for part in _apart(row, vocabulary)]
     return _relisted(text, rows, vocabulary, called)
@@ -171,7 +174,8 @@ def _unclosed(tokens: list[Token]) -> int:
         if tokens[k].word in _ENDS:
             return 0
         if tokens[k].word == "(":
-            return k if k + 1 < len(tokens) and tokens[k + 1].word == "or" else 0
+            founds = any(t.word in _FOUNDING for t in tokens[k:])  # other work behind a bracket that lacks is told
+            return k if k + 1 < len(tokens) and tokens[k + 1].word == "or" and founds else 0
     return 0
 
 
@@ -179,7 +183,7 @@ def _lettered(rows: list[Row]) -> list[Row]:
     """``rows`` of a text that a machine put into English out of one that has a letter for its rows and another for its loops: "1r. 6 sc",
     "2p. 6 inc (12p)", "8 rubles-14 rubles 20 sc"."""
     found = {k: ends for k, row in enumerate(rows) if (ends := _by_letter(row.tokens)) is not None}
-    if len(found) < _LETTERED:
+    if len(found) < _LETTERED or not _follow([numbers for numbers, _ in found.values()]):
         return rows
     made = list(rows)
     for k, (numbers, end) in found.items():
@@ -209,8 +213,15 @@ def _by_letter(tokens: list[Token]) -> tuple[list[Token], int] | None:
             numbers.append(tokens[k])
             k += 1
             continue
-        return (numbers, k) if k < len(tokens) else None
+        return (numbers, k) if k < len(tokens) and tokens[k].word != "," else None
     return None
+
+
+def _follow(found: list[list[Token]]) -> bool:
+    """Whether numbers of rows begin at 1 and most follow the ones before: "3r, 3p, 6 sc" is a row of colours."""
+    ends = [(numbers[0].value, numbers[-1].value) for numbers in found]
+    after = sum(begin in (1, last + 1) for (_, last), (begin, _) in pairwise(ends))
+    return any(begin == 1 for begin, _ in ends) and 2 * after >= len(ends) - 1
 
 
 def _sloped(rows: list[Row]) -> list[Row]:
@@ -261,7 +272,7 @@ def _apart(row: Row, vocabulary: Vocabulary) -> list[Row]:
         dashed = tokens[k].word == "-" and not tokens[k].glued
         if dashed and _named(tokens, k + 1, vocabulary):
             cuts.append((k, k + 1))
-        elif not dashed and _ranged(tokens, k):
+        elif not dashed and _ranged(tokens, k) and _works(tokens[k + 4], vocabulary):
             cuts.append((k, k))
     if not cuts:
         return [row]
@@ -269,6 +280,14 @@ def _apart(row: Row, vocabulary: Vocabulary) -> list[Row]:
     ends = [*(end for end, _ in cuts), len(tokens)]
     parts = [tokens[a:b] for a, b in zip(begins, ends, strict=True)]
     return [Row(some, some[0].start, some[-1].end, row.marked if not n else 0) for n, some in enumerate(parts) if some]
+
+
+def _works(token: Token, vocabulary: Vocabulary) -> bool:
+    """Whether a round's words may begin so: "5-6. Then close" are none."""
+    if token.kind != "word":
+        return token.kind == "number" or token.word in ("(", "[", "*")
+    found = vocabulary.read([token])
+    return bool(found) and found[0].kind in ("stitch", "key")
 
 
 def _named(tokens: list[Token], k: int, vocabulary: Vocabulary) -> bool:

@@ -124,6 +124,13 @@ def sews(p: State, tokens: list[Token]) -> bool:
     return first and named is not None and named is not p.parts[-1]
 
 
+def eyed(tokens: list[Token]) -> bool:
+    """Whether what hands do while a round is worked says between which rounds eyes are put in."""
+    values = [t.value for t in tokens]
+    numbers = sum(t.kind in ("number", "ordinal") for t in tokens)
+    return "eyes" in values and "between" in values and ("round" in values or "row" in values) and numbers > 1
+
+
 def _filled(p: State, tokens: list[Token]) -> None:
     """Takes how a part is stuffed from the sentence that sews it on: "Stuff the muzzle lightly and sew it to the head", "Sew on the snout,
     stuffing lightly as you work"."""

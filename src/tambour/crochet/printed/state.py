@@ -118,6 +118,8 @@ _OTHERWISE: Final = re.compile(
     re.IGNORECASE,
 )
 """What could be done in place of the line above, which is read."""
+_ROUND: Final = re.compile(r"\b(?:rnd|round|row|r)s? ?\d+(?: ?[-–] ?\d+)? ?[:.]", re.IGNORECASE)
+"""What begins a round, on whatever line."""
 _EXAMPLE: Final = re.compile(
     r"\W*(?:rnd|round|row|r)s? ?0+\b[^:–\n]*[:–] *(?:\W*(?:0+|x+) |[^\n]*(?:→|\bxx\b))", re.IGNORECASE
 )
@@ -129,7 +131,12 @@ def _noted(text: str, rows: list[Row], ours: bool) -> list[Row]:
     it is read; of others another way to do the line above, and examples of how it is read."""
     if ours:
         return [row for row in rows if text[row.start : row.end].lstrip().startswith("›")]
-    return [row for row in rows if any(said.match(text, row.start, row.end) for said in (_OTHERWISE, _EXAMPLE))]
+    return [
+        row
+        for row in rows
+        if _EXAMPLE.match(text, row.start, row.end)
+        or ((way := _OTHERWISE.match(text, row.start, row.end)) and not _ROUND.search(text, way.end(), row.end))
+    ]
 
 
 class State:
