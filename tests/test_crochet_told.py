@@ -123,3 +123,85 @@ def test_texts_of_other_hands_are_whole(name: str) -> None:
     text = (Path(__file__).parent / "data" / "strangers" / f"{name}.txt").read_text(encoding="utf-8")
     found = kept(text, printed(text))
     assert (found.lost, found.again) == ([], [])
+
+
+NEWT = """Ned the Newt
+
+MATERIALS
+Green yarn A, cream yarn B.
+
+INSTRUCTIONS
+
+BODY
+(See diagram on page 3)
+**1st rnd: With A, ch 2. 6 sc in 2nd ch from hook.
+2nd rnd: 2 sc in each sc around. 12 sc.**
+3rd rnd: *Sc in next sc, 2 sc in next sc. Rep from * around. 18 sc.
+4th to 9th rnds: Sc in each sc around. 18 sc.
+10th rnd: *Sc in next sc, sc2tog. Rep from * around. 12 sc.
+11th rnd: Sc2tog around. 6 sc.
+Stuff the body. Fasten off.
+
+CRESTED ONE
+TAIL
+Work from ** to ** as given for Body.
+3rd rnd: Sc in each sc around. 12 sc.
+1st row: (RS). Ch 1. Sc in next 4 sc. Turn.
+2nd row: Ch 1. Sc in each sc. Turn.
+Next 2 rows: Ch 1. Sc in each sc, tugging at the yarn. Turn.
+Fasten off.
+
+FEATHER
+Ch 8.
+1st row: 2 dc in 4th ch from hook, dc in next 4 ch. Turn.
+Fasten off.
+
+FINISHING
+Sew the tail and the feather to the body.
+"""
+
+
+@cache
+def newt() -> list[str]:
+    return printed(NEWT).split("\n")
+
+
+def test_asterisks_that_mark_what_is_worked_again_are_kept() -> None:
+    assert any(line.endswith("ork from ** to ** as given for Body. (12)") for line in newt())
+    assert any(line.startswith("Rnd 1: **With A") for line in newt())
+    assert any(line.endswith(("12 sc.**", "sc around.** (12)")) for line in newt())
+
+
+def test_in_which_chain_a_row_begins_is_said() -> None:
+    assert any("2 dc in 4th ch from hook" in line for line in newt())
+
+
+def test_rounds_are_called_and_numbered_as_she_does() -> None:
+    assert any(line.startswith("Row 1: (RS). Ch 1. Sc in next 4") for line in newt())
+    assert not any(line.startswith("Row 3: Sc in each sc around") for line in newt())
+    assert not any("Next 2 rows" in line for line in newt())
+
+
+def test_her_word_for_a_decrease_stands_in_our_rounds_too() -> None:
+    assert any("sc2tog] x 6" in line for line in newt()) and not any(
+        "dec]" in line or "6 dec" in line for line in newt()
+    )
+
+
+def test_a_heading_of_several_parts_stands_before_them() -> None:
+    body, tail = newt().index("BODY"), newt().index("TAIL")
+    assert body < tail < newt().index("CRESTED ONE") < newt().index("FEATHER")
+
+
+def test_a_diagram_is_no_foot_of_a_page() -> None:
+    assert any("See diagram on page 3" in line for line in newt())
+
+
+def test_a_yarn_that_she_names_is_not_named_again() -> None:
+    assert not any(line.startswith("- Color") for line in newt())
+
+
+def test_notes_on_several_parts_name_theirs() -> None:
+    at = next(k for k, line in enumerate(newt()) if "Sew the tail and the feather" in line)
+    under = [line for line in newt()[at + 1 :] if "›" in line]
+    assert any(line.strip().startswith("› TAIL:") for line in under)

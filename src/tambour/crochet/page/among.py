@@ -23,6 +23,12 @@ _HEAD_ALONE: Final = re.compile(
     r"\W*(?:next\s+)?(?:[^\W\d]{1,8}\.?\s*)?\d*(?:\s*[-–—]\s*\d+)?(?:st|nd|rd|th)?(?:\s*[^\W\d]{1,8})?\W*"
 )
 """The number of a round and nothing else."""
+_NUMBERED: Final = re.compile(
+    r"\W*(?:(?P<before>rounds?|rnds?|rows?)\s*[.:#]*\s*(?P<a>\d+)\b|(?P<b>\d+)(?:st|nd|rd|th)\s+(?P<behind>rounds?|rnds?|rows?)\b"
+    r"|(?:next|last)\s+(?:\w+\s+)?(?P<next>rounds?|rnds?|rows?)\b)",
+    re.IGNORECASE,
+)
+"""How a round is headed: "Row 3", "3rd row"."""
 _CLOSED: Final = 8
 """A part whose last round has so few stitches is closed by it."""
 _COPIES: Final = frozenset(
@@ -57,7 +63,7 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
     steps : her sentences of putting it together stand here as well, where she wrote them, with what is ours about them
     """
     if book.hers is None:
-        return [row for row, _ in _eyes(book, block, [(row, -1) for row in block.lines], [])]
+        return [row for row, _ in _eyes(book, block, [(row, -1) for row in block.lines], [], steps)]
     placed = list(_worked(book, block))
     said = list(_said(book, block, steps))
     for words, span in said:
@@ -68,8 +74,31 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
     first = next((k for k, (row, _) in enumerate(placed) if row.label), len(placed))
     if any(_WITH.search(row.words) for row, _ in placed[:first] if row.hers):
         placed = [one for k, one in enumerate(placed) if k >= first or not (one[0].ours and one[0].colors)]
-    placed = _filled(book, block, _eyes(book, block, placed, said))
-    return [row for row, _ in placed]
+    placed = _filled(book, block, _eyes(book, block, placed, said, steps))
+    return _as_she_numbers(book, placed)
+
+
+def _as_she_numbers(book: Book, placed: list[tuple[Row, int]]) -> list[Row]:
+    """The rows with her word for each, and her number where hers begin again within a part: "Row 2 of the bib" is looked for."""
+    text, terms = book.piece.built.pattern.text.text, book.said.terms
+    if terms.code not in ("us", "uk"):
+        return [row for row, _ in placed]
+    heads = [
+        _NUMBERED.match(text, row.span.start) if row.label and row.span is not None and place >= 0 else None
+        for row, place in placed
+    ]
+    kinds = [next(w for w in (m["before"], m["behind"], m["next"]) if w) if m is not None else "" for m in heads]
+    word, off, made = next((kind for kind in kinds if kind), ""), 0, list[Row]()
+    for (row, _), found, kind in zip(placed, heads, kinds):
+        word, label = kind or word, row.label
+        if found is not None and not found["next"]:
+            number, ours = int(found["a"] or found["b"]), int(re.findall(r"\d+", label)[0])
+            off = number - ours if number in (1, ours) else off
+        if word and label:
+            label = re.sub(r"^\D+", f"{terms.word('row' if word.lower().startswith('row') else 'round')} ", label)
+            label = "".join(f"{int(w) + off}" if w.isdigit() else w for w in re.split(r"(\d+)", label))
+        made.append(replace(row, label=label))
+    return made
 
 
 def notes_at(book: Book, span: Span) -> list[str]:
@@ -78,7 +107,25 @@ def notes_at(book: Book, span: Span) -> list[str]:
     mine = [n for n, r in enumerate(finish) if r.span.start < span.end and span.start < r.span.end and book.words_of(r)]
     eyes = [r for r in (finish[n] for n in mine) if isinstance(r, Eye)]
     apart = book.taken.eyes(eyes) if eyes else ""
-    return [*(held(book, mine) if mine else []), *([apart] if apart else [])]
+    return [*(_by_parts(book, mine) if mine else []), *([apart] if apart else [])]
+
+
+def _by_parts(book: Book, mine: list[int]) -> list[str]:
+    """What is noted of several parts that one sentence sews on, each note with the parts that it is of."""
+    finish, of = book.piece.built.pattern.finish, dict[str, list[int]]()
+    for n in mine:
+        record = finish[n]
+        of.setdefault(record.part.split(".")[0] if isinstance(record, Placed) else "", []).append(n)
+    if len(of) < 2:
+        return held(book, mine)
+    told = dict[str, list[str]]()
+    for name, numbers in of.items():
+        for note in held(book, numbers):
+            told.setdefault(note, []).append(name)
+    return [
+        note if not all(names) or len(names) == len(of) else f"{book.called(', '.join(names))}: {note}"
+        for note, names in told.items()
+    ]
 
 
 # -- rounds -------------------------------------------------------------------------------------------------------------
@@ -122,7 +169,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
         if k in rowed or book.hers.part_at(at) != block.section or not _within(block, at):
             continue
         if (same := _same(stretch)) not in printed:  # the second leg is written as the first
-            _insert(rows, Row("", cleaned(stretch.words), span=stretch.span, hers=True), at)
+            _insert(rows, Row("", cleaned(stretch.words, text), span=stretch.span, hers=True), at)
             printed.add(same)
     return iter(rows)
 
@@ -133,7 +180,7 @@ def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
     colors = tuple(dict.fromkeys(hue for row in rows for hue in row.colors))
     labelled = [row for row in rows if row.label]
     if not labelled:
-        words = cleaned(text)
+        words = cleaned(text, book.piece.built.pattern.text.text)
         return [Row("", words[:1].upper() + words[1:], colors=colors, span=stretch.span, hers=True)]
     first, last = labelled[0], labelled[-1]
     stated = any(line.stated is not None for line in stretch.lines)
@@ -243,7 +290,7 @@ def _filled(book: Book, block: PartText, placed: list[tuple[Row, int]]) -> list[
 
 
 def _eyes(
-    book: Book, block: PartText, placed: list[tuple[Row, int]], said: list[tuple[str, Span]]
+    book: Book, block: PartText, placed: list[tuple[Row, int]], said: list[tuple[str, Span]], steps: bool
 ) -> list[tuple[Row, int]]:
     """The rows with the eyes where fingers still reach inside, if she has them put in elsewhere or says nothing of it."""
     eyes = _eyes_here(book, block)
@@ -266,6 +313,8 @@ def _eyes(
         or not share
     )
     at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
+    if steps and book.words_of(eyes[0]) and not any(row.label for row in rows[at:]):
+        return placed  # nothing is closed before she has them put in
     hers = book.words_of(eyes[0]) if _alone(book, eyes) else ""
     told = eyes_now(book.own, [hers.rstrip(".") + "."] if hers else book.spoken(eyes))
     more = [Row("", told, ours=book.hers is not None)]

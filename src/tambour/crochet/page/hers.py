@@ -11,7 +11,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.page.instructions import by_people
-from tambour.crochet.page.ordered import Stretch, sentences_between, stretches
+from tambour.crochet.page.ordered import Stretch, sentences_between, spans_marked, stretches
 from tambour.crochet.words.table import TERMS, Terms
 
 _HEAD: Final = re.compile(r"^[\s#*_=|]*(.*?)[\s*_=:|]*$")
@@ -71,7 +71,7 @@ _SIGNS: Final = "\\s~=_|\u2500-\u27bf\ufe0f\U0001f300-\U0001faff"
 _ORNAMENT: Final = re.compile(rf"^[{_SIGNS}]+|[{_SIGNS}]+$")
 """What lines are decorated with: rules, hearts, boxes, flowers."""
 _FOOT: Final = re.compile(
-    r"^(?!\W*(?:see|refer|turn|go|as|cut|use|follow)\b).{0,70}(?:\bpage|\bseite|\bpágina|\bpagina|\bp\.)\s*\d+(?:\s*(?:of|/|von|de|sur|van)\s*\d+)?\W*$",
+    r"^(?!.*\b(?:see|refer|diagrams?|charts?)\b)(?!\W*(?:turn|go|as|cut|use|follow)\b).{0,70}(?:\bpage|\bseite|\bpágina|\bpagina|\bp\.)\s*\d+(?:\s*(?:of|/|von|de|sur|van)\s*\d+)?\W*$",
     re.IGNORECASE,
 )
 """The foot of a page, amid the text."""
@@ -125,6 +125,7 @@ _SPECIAL: Final = frozenset(
     ("special stitches", "special stitch", "special abbreviations", "stitch guide", "pattern stitches")
 )
 _WORD: Final = re.compile(r"[^\W_]+")
+_BEGUN: Final = ("instructions", "instruction", "directions", "pattern")
 _NOTES: Final = ("notes", "note", "pattern notes", "tips")
 _MOSTLY: Final = 0.8
 """A sentence of which a step says this share is not said twice."""
@@ -238,6 +239,11 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
                     continue
                 if any(_told(span, step) for step in stepped):
                     made.told.add((span.start, span.end))  # a step of the assembly says it
+                ahead = next(
+                    (k for start, k in starts if start >= span.end and not text[span.end : start].strip(" \t\n#*_")), -1
+                )
+                if ahead >= 0 and words.isupper() and len(words.split()) <= _NAMES:
+                    part = ahead  # "STARFISH" above its first part
                 made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
     made.closing += waiting
     made.intro += _left(made, pattern, [one for one in lines if one[0] < first and one[0] not in heads])
@@ -269,9 +275,11 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
             made.materials.append(
                 _ORNAMENT.sub("", " ".join(_BULLET.sub("", line).split()))
             )  # "Yarn: DK in blue" among them
+        elif plain in _BEGUN:
+            mode = ""
         elif head in _NOTES:
             mode = ""
-            made.intro += [cleaned(line)] if plain != head else []
+            made.intro += [cleaned(line, text)] if plain != head else []
         elif head in _MORE or head.rstrip("s") in _MORE or any(head in said for said in spoken.values()):
             headline = True
             mode = "terms" if head in _TERMS or head in spoken["abbreviations"] else "listed"
@@ -286,9 +294,9 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
             mode = ""
             broken = unended and (long >= _BROKEN or line[:1].islower())
             if not gap and made.intro and broken and not _BULLET.match(line):
-                made.intro[-1] = cleaned(f"{made.intro[-1].rstrip('.')} {line}")  # a line that she broke herself
+                made.intro[-1] = cleaned(f"{made.intro[-1].rstrip('.')} {line}", text)  # a line that she broke herself
             else:
-                made.intro.append(cleaned(line))
+                made.intro.append(cleaned(line, text))
             unended = not line.rstrip().endswith((".", "!", "?", ":", ")"))
             long = len(line)
         else:  # what else it says than its gauge or size
@@ -416,12 +424,17 @@ def _plain(line: str) -> str:
     return found[1].strip().lower() if found else ""
 
 
-def cleaned(words: str) -> str:
-    """A sentence without what lists and Markdown put about it, and with its point."""
+def cleaned(words: str, text: str = "") -> str:
+    """A sentence without what lists and Markdown put about it, and with its point; of a ``text`` that marks what is worked again
+    with two asterisks they stay."""
+    marked = spans_marked(text or words)
     if words.lstrip().startswith("|"):  # a row of a table
         words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
     words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))
-    words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
+    if marked:
+        words = " ".join(re.sub(r"^[\s#>•–~☐-]+(?=\S)", "", words).split())
+    else:
+        words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
     words = _ORNAMENT.sub("", words).rstrip(",;")
     return words if not words or words[-1] in ".!?:)" or words.isupper() or len(words.split()) < _NAMES else f"{words}."
 
@@ -433,7 +446,7 @@ def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
     for piece in _SENTENCE.split(text[a:b]):
         begin = text.index(piece, at)
         at = begin + len(piece)
-        words = cleaned(piece)
+        words = cleaned(piece, text)
         if _LETTER.search(words):
             made.append((words, Span(begin, at)))
     return made

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from tambour.core.errors import Span
@@ -36,6 +37,10 @@ _RING: Final = re.compile(
 )
 _ODD: Final = frozenset(("goto", "attach", "sew", "edge", "tospace", "gap", "oval", "fsc", "fold"))
 """What a round does that our words tell worse than hers."""
+_FROM_HOOK: Final = re.compile(r"\b(?:ch|chain|st|stitch)\w*\.? from (?:the |your )?hook\b", re.IGNORECASE)
+"""In which chain a row begins, of which our words say nothing."""
+_SPANS: Final = re.compile(r"\*{2,}\s+to\s+\*{2,}|\b(?:from|between|after) \*{2,}\s|\* (?:or|and|to) \*\*")
+"""Asterisks that mark what is worked again, and set nothing bold: "work from ** to **"."""
 _AT_END: Final = re.compile(
     r"\s*\d+ [a-z ]{1,20} (?:at|after) (?:the )?end of [\w ]*(?:rnd|round|row)s?\.?\s*", re.IGNORECASE
 )
@@ -45,6 +50,12 @@ _BEGIN: Final = re.compile(r"(?:[.!?:;)]\s+|\n\s*|^)(?=\S)")
 _MAKES: Final = re.compile(
     r"\d|\b(?:sc|dc|hdc|tr|ch|st|sts|stitch|stitches|inc|dec|sl|join|turn|chain|crochet)\b", re.IGNORECASE
 )
+
+
+@lru_cache(maxsize=8)
+def spans_marked(text: str) -> bool:
+    """Whether a text marks with two asterisks what is worked again."""
+    return _SPANS.search(text) is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,11 +114,17 @@ def stretches(pattern: Pattern, first: int, end: int) -> list[Stretch]:
             found[-1] = (found[-1][0], stop, [*found[-1][2], *some])
         else:
             found.append((begin, stop, some))
-    spans = [(Span(a, a + len(text[a:b].rstrip())), some) for a, b, some in found]
+    spans = [(Span(a, _signed(text, a + len(text[a:b].rstrip()))), some) for a, b, some in found]
     return [
         Stretch(text[span.start : span.end], span, tuple(some), _plain(pattern, span, some, told))
         for span, some in spans
     ]
+
+
+def _signed(text: str, end: int) -> int:
+    """Where a stretch ends with the asterisks that close what is worked again: "12 sc. **"."""
+    found = re.compile(r"[ \t]?\*{2,}").match(text, end) if spans_marked(text) else None
+    return found.end() if found is not None else end
 
 
 def _in_heading(text: str, line: Line, heads: list[Span]) -> bool:
@@ -183,9 +200,15 @@ def _plain(pattern: Pattern, span: Span, lines: list[Line], told: frozenset[Span
         return False
     if not all(_AT_END.fullmatch(note) for note in noted):
         return False
-    words = pattern.text.text[span.start : span.end]
+    words = text[span.start : span.end]
+    if "**" in words and spans_marked(text):
+        return False  # "12 sc.**": as far as here
     done = [name for line in lines for name in _names(line.items)]
-    if any(name in _ODD for name in done) or (_begins_ring(done) and not _RING.search(words)):
+    if (
+        any(name in _ODD for name in done)
+        or _FROM_HOOK.search(words)
+        or (_begins_ring(done) and not _RING.search(words))
+    ):
         return False
     terms = TERMS.get(pattern.terms)
     if terms is None:
@@ -227,10 +250,17 @@ def her_round(words: str, number: bool, count: int) -> str:
         named = r"(?:rounds?|rnds?|rows?|rds?|r|rang|rangs|runden?|rd|reihen?|vueltas?|toer(?:en)?)\.?\s*"
         alt = r"(?:\s*(?:and|&)\s+(?:every\s+)?alt\w*(?:\s+foll\w*)?)?\s*"
         many = rf"\d+(?:st|nd|rd|th|e|ª)?(?:{_JOINT}(?:{named})?\d+(?:st|nd|rd|th|e|ª)?(?![\w]))*"
-        head = rf"^\s*[*•–-]?\s*(?:{named}{many}\s*[.:=)\]–—-]*|{many}{alt}{named}[.:=)–—-]*|{many}\s*[.:)]+)\s*"
-        words = re.sub(head, "", words, count=1, flags=re.IGNORECASE)
-        words = re.sub(r"^\s*next\s+(?:rounds?|rnds?|rows?)\s*:\s*", "", words, count=1, flags=re.IGNORECASE)
+        head = rf"^\s*(?:[•–-]\s*|\*\s+)?(?P<sign>\**)(?:{named}{many}\s*[.:=)\]–—-]*|{many}{alt}{named}[.:=)–—-]*|{many}\s*[.:)]+)\s*"
+        words = re.sub(head, lambda m: m["sign"] if len(m["sign"]) > 1 else "", words, count=1, flags=re.IGNORECASE)
+        words = re.sub(
+            r"^\s*next\s+(?:(?:\d+|two|three|four)\s+)?(?:rounds?|rnds?|rows?)\s*:\s*",
+            "",
+            words,
+            count=1,
+            flags=re.IGNORECASE,
+        )
     if count:
         end = rf"(?:[\s.,;:]*[–—-]+\s*|\s*[(\[{{=]+\s*|(?<=[.;,])\s+){count}\s*(?:(?!cm|mm|in|yd|g\b|m\b)[a-z]+\.?\s*)?[)\]}}]?\W*$"
-        words = re.sub(end, "", words, count=1, flags=re.IGNORECASE)
+        sign = re.search(r"\*{2,}\s*$", words)
+        words = re.sub(end, sign[0] if sign is not None else "", words, count=1, flags=re.IGNORECASE)
     return re.sub(r"\\([*_\[\]()-])", r"\1", " ".join(words.split()))

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from tambour.crochet.words.table import Terms
 
 
+_BOLD: Final = re.compile(r"(?<!\*)\*\*(?=[^\s*])(.+?)(?<=[^\s*])\*\*(?!\*)")
+"""Not "from ** to **", which is no Markdown."""
+
+
 def unmarked(text: str) -> str:
     r"""Markdown as plain text: headings underlined, no asterisks, no blanks at the ends of lines.
 
@@ -27,10 +31,20 @@ def unmarked(text: str) -> str:
     made = []
     for line in text.rstrip("\n").split("\n"):
         level = len(line) - len(line.lstrip("#"))
-        words = re.sub(r"\*\*(.+?)\*\*", r"\1", line.rstrip()).lstrip("#").lstrip() if level else line.rstrip()
-        words = re.sub(r"^\*(\S.*\S)\*$", r"\1", re.sub(r"\*\*(.+?)\*\*", r"\1", words))
+        words = _BOLD.sub(r"\1", line.rstrip()).lstrip("#").lstrip() if level else line.rstrip()
+        words = re.sub(r"^\*(\S.*\S)\*$", r"\1", _BOLD.sub(r"\1", words))
         made += [words, ("=" if level == 1 else "-") * len(words)] if level else [words]
     return "\n".join(made) + "\n"
+
+
+def as_she_decreases(terms: Terms, text: str) -> Terms:
+    """English words with her own for a decrease: where she works "sc2tog" and nowhere "dec", a booklet does not mix the two."""
+    hers = "dc2tog" if terms.code == "uk" else "sc2tog"
+    words = terms.stitches.get("dec", ())
+    low = text.lower()
+    if hers not in words or low.count(hers) <= len(re.findall(r"\bdec\b", low)):
+        return terms
+    return replace(terms, stitches=dict(terms.stitches) | {"dec": (hers, *(w for w in words if w != hers))})
 
 
 _BRITISH: Final = {"gray": "grey", "color": "colour", "center": "centre", "fiber": "fibre"}

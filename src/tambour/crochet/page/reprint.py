@@ -8,6 +8,7 @@ from dataclasses import replace
 from tambour.crochet.page.among import noted, notes_at, with_hers
 from tambour.crochet.page.assembly import guesses
 from tambour.crochet.page.book import Book
+from tambour.crochet.page.hers import Hers
 from tambour.crochet.page.wording import PartText, Words
 from tambour.crochet.piece import Plush
 
@@ -27,11 +28,21 @@ def reprinted(piece: Plush) -> Words | None:
         made,
         intro=(*([book.own["by"].format(name=book.designer)] if book.designer else []), *hers.intro),
         materials=tuple(hers.materials) or made.materials,
+        colors=tuple(one for one in made.colors if not _named(one[0], hers)),
         abbreviations=(*((line, "") for line in hers.listed), *_ours(book, parts)),
         parts=parts,
         seams=(),
         finish=tuple(finish),
     )
+
+
+def _named(letter: str, hers: Hers) -> bool:
+    """Whether she says herself which yarn a letter or a number means."""
+    said = re.compile(
+        rf"(?:(?:colou?r|contrast|yarn|main|shade)\s+|[(,]\s*|^\W*){re.escape(letter)}(?=\s*[),:=–-]|\s+[A-Z])|\w {re.escape(letter)}(?=[,;.]|\W*$)|\bis (?:colou?r )?{re.escape(letter)}\b",
+        re.IGNORECASE,
+    )
+    return bool(letter) and any(said.search(line) for line in (*hers.materials, *hers.intro, *hers.listed))
 
 
 def _part(book: Book, part: PartText) -> PartText:

@@ -314,6 +314,8 @@ class Writer:
     def _heading(self, name: str, span: Span) -> str:
         """A part's name, as she heads it; with the word for a part before it, where it could be taken for another heading."""
         if not self.exact:  # "Head & Body" is called Head Body by those that look for it
+            name = re.sub(r"^part_(?=\d+[a-z])", "", name)
+            name = re.sub(r"_(?=\d+(?:st|nd|rd|th)\b)", " ", name)  # "2nd to 8th Tentacles"
             called = [
                 w for w in re.sub(r"_\d+$", "", name).split() if w.lower() != "and"
             ]  # the third of three bodies is a Body
