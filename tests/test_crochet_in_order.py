@@ -186,3 +186,13 @@ def test_eyes_of_a_head_begun_in_the_middle_of_its_face_are_on_the_face() -> Non
     pattern = read_printed(Text(f"Doll\n\n{head}\n\n{said}", "toy.txt"))
     eyes = [f for f in pattern.finish if isinstance(f, Embroidery) and f.motif.endswith("eyes")]
     assert len(eyes) == 2 and all(1 < s.round <= 4.5 for eye in eyes for s in eye.spots)
+
+
+def test_each_of_two_outer_ears_has_its_inner_ear() -> None:
+    """Outer ears made one in A and one in B are two parts: both inner ears were sewn to the first."""
+    ear = "\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n"
+    ears = f"OUTER EARS\nMake one Outer Ear in A and one in B.{ear}Rnd 3: (sc, inc) x 6 (18)\nFasten off.\n\nINNER EARS (make 2){ear}Fasten off.\n"
+    said = "Sew Inner Ear to Outer Ear. Sew Outer Ears to head.\n"
+    pattern = read_printed(Text(f"Calf\n\n{HEAD}{ears}{said}", "toy.txt"))
+    on = [f.spot.part for f in pattern.finish if isinstance(f, Placed) and f.part.startswith("INNER")]
+    assert len(set(on)) == 2 and all("OUTER" in part for part in on)

@@ -104,7 +104,11 @@ class Hosts(Likely):
             p.host = (necks, 1)
         if kind == "inner" or "inner" in made.words:
             ears = [m for m in every if m.kind == "ear" and m != made]
-            if ears and ears[0].copies >= len(p.copies):
+            singles = [m for m in dict.fromkeys(ears) if m.copies == 1]  # "one in A and one in B"
+            if len(p.copies) == len(singles) == 2:
+                puts.append(replace(p, copies=p.copies[1:], host=(singles[1], 1)))
+                p.copies, p.host = p.copies[:1], (singles[0], 1)
+            elif ears and ears[0].copies >= len(p.copies) and p.host[0] not in singles:
                 p.host = (ears[0], 0)
 
     def _named_after(self, made: Made) -> Made | None:
