@@ -404,7 +404,6 @@ def test_spots_of_colour_on_a_face_are_its_eyes_and_nose_and_a_plain_model_has_n
     assert painted(x, faces, shade, None) == ()
 
 
-@pytest.mark.slow
 def test_eyes_are_proposed_where_ears_and_a_nose_would_have_them_and_nowhere_else() -> None:
     x, faces, _ = bodies(Mesh(*globe(8.0, 24)), [])[0]
     x = x + np.where((x[:, 2:] > 0.0) & (np.abs(x[:, :1]) < 2.0), [[0.0, 0.0, 1.0]], 0.0)  # a snout of a kind
@@ -425,6 +424,7 @@ def test_eyes_are_proposed_where_ears_and_a_nose_would_have_them_and_nowhere_els
     assert eyed(x, faces, eared("Ear", (5.5, 5.5, 0.0), (-5.5, -2.0, 0.0)), plane) == ()
 
 
+@pytest.mark.slow
 def test_eyes_and_a_nose_of_a_model_are_safety_eyes_and_embroidery() -> None:
     piece, told = made(Mesh(*faced(40.0 / 5.0)), stitches=800)
     eyes = [f for f in piece.built.pattern.finish if isinstance(f, Eye)]

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from tambour.core.errors import Span, Text
+from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.fits import ENDLESS
 from tambour.crochet.language.stitches import STITCHES
 from tambour.crochet.language.tree import Action, Group
 from tambour.crochet.page.own import pattern
@@ -226,3 +229,14 @@ def test_a_space_that_nothing_said_the_round_began_in_is_told() -> None:
     for items in ([one], [Action("sc", where), inside], [Action("tospace", where), Action("sc", where), inside]):
         with pytest.raises(NotUnderstood, match="space"):
             begun(items, dict(STITCHES))
+
+
+def test_what_comes_for_stitches_or_spaces_and_works_none_ends() -> None:
+    """ "Chain 4" once for every stitch that comes grew to 200,000 chains, for two minutes."""
+    ball = read(Text("Ball\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 sc (6)\n", "ball.txt"))
+    part = ball.parts[0]
+    chains = Action("ch", Span(0, 2), 4, None, (), ())
+    endless = Group((Group((chains,), None, Span(0, 2)), Group((chains,), None, Span(0, 2))), None, Span(0, 2))
+    lines = (*part.lines[:-1], replace(part.lines[-1], items=(endless,)))
+    with pytest.raises(TambourError, match=ENDLESS):
+        build(replace(ball, parts=(replace(part, lines=lines),)))

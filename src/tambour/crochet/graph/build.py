@@ -15,7 +15,7 @@ from tambour.crochet.graph.attach import attach
 from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
 from tambour.crochet.graph.edges import edge
 from tambour.crochet.graph.ends import fasten_off, join_round, turn
-from tambour.crochet.graph.fits import around, come, ends_around, mixed, slipped, spaces, spread
+from tambour.crochet.graph.fits import ENDLESS, around, come, ends_around, mixed, slipped, spaces, spread
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
 from tambour.crochet.graph.spaces import into_space, pass_rest, to_space
@@ -288,8 +288,11 @@ class _Worker:
         if mixed(item):
             while coming := come(self.hook, item):
                 self._step(1)
+                ahead = self.hook.ahead
                 for each in coming:
                     self._item(each)
+                if self.hook.ahead >= ahead:
+                    raise self.hook.fail(ENDLESS, "give a number instead")
             return
         if item.times is None:
             times, doubt = around(self.hook, item, self.pattern.stitches)

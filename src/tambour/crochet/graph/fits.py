@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Final
 
 from tambour.crochet.graph.hook import Hook
 from tambour.crochet.graph.spaces import ahead_of_space, is_chain, space_ahead, spaces_ahead
 from tambour.crochet.language.stitches import MOST, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item
+
+ENDLESS: Final = "around never ends: these stitches use up none of the round"
 
 
 def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[int, tuple[str, str] | None]:
@@ -30,7 +33,7 @@ def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[in
         return times, None
     takes = _takes(hook, group.items, stitches)
     if takes == 0:
-        raise hook.fail("around never ends: these stitches use up none of the round", "give a number instead")
+        raise hook.fail(ENDLESS, "give a number instead")
     ahead = max(0, hook.ahead)
     if hook.now.folded:
         ahead = (ahead + 1) // 2  # pairs
