@@ -64,17 +64,6 @@ def test_a_hair_is_hidden_by_what_stands_before_it() -> None:
     assert (behind != raster.shot(plate(rod("thread"), -25.0), width=120, **SHOT).light).any()
 
 
-def test_a_pile_is_cut_to_one_length_and_has_a_soft_edge_instead_of_spikes() -> None:
-    bare, pile = covered(rod("thread"), 400), covered(rod("chenille"), 400)
-    above = int(np.flatnonzero((bare > 0).any(1))[0])
-    inside = slice(100, 300)
-    tops = np.array([above - np.flatnonzero(column > 0.15)[0] for column in pile[:, inside].T])
-    # Each column's edge lies near every other's: it was up to twice the mean above it.
-    assert tops.mean() > 3 and tops.max() - tops.min() < tops.mean()
-    edge = pile[:above, inside].mean(1)
-    assert (np.diff(edge[edge > 0.02]) > -0.02).all() and ((edge > 0.1) & (edge < 0.9)).sum() >= 3
-
-
 @pytest.mark.parametrize("name", ["yarn", "mohair"])  # chenille is a pile: its hairs lie over each other
 def test_what_hairs_cover_does_not_hang_on_how_many_are_drawn(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     bare = covered(rod("thread"), 300)

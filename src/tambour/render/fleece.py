@@ -10,9 +10,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.noise import stream
 
-AROUND: Final = 256
+AROUND: Final = 96
 """Texels of the fibres' tile around a strand, and along one turn of its twist."""
-WISPS: Final = ((1.0, 0, 40), (0.8, 1, 56), (0.6, 6, 70))
+WISPS: Final = ((0.8, 0, 14), (1.0, 1, 20), (0.9, 4, 30))
 """How strongly single fibres and wisps of them show, how many texels wide they are to either side, and how long."""
 TONES: Final = 1024
 """Rows of the table of tones."""

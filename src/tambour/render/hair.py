@@ -14,12 +14,10 @@ from tambour.core.arrays import F4x2, F4x3, F8x1, F8x2, F8x3, I4x1, I4x2
 from tambour.core.kernels import kernel
 from tambour.noise import uniform
 from tambour.render.light import seen
-from tambour.render.shade import DYED, FINE, HAIRS, PILE, REACH
+from tambour.render.shade import DYED, FINE, HAIRS, REACH
 
 MOST = 0.5
 """Hairs per pixel of a surface at the most: beyond, each stands for several and is as much thicker."""
-DENSE = 1.4
-"""The same of a pile, which is nothing else."""
 WIDEST = 0.9
 """Pixels that a hair is wide at the most for the others that it stands for: an outline is soft, and no saw."""
 OPEN = 1.4
@@ -104,9 +102,8 @@ def hairs(
         if (gx * vx + gy * vy + gz * vz) / away < -0.45:
             continue
         pixel = scale * z[a]  # pixels a mm
-        pile = table[m, PILE]
         per = wanted / (radius * radius)
-        most = (MOST + pile * (DENSE - MOST)) * pixel * pixel
+        most = MOST * pixel * pixel
         stands = max(1.0, per / most)
         count = 0.5 * twice * per / stands
         if len(uv) > 0:
@@ -114,7 +111,7 @@ def hairs(
             along, beside = floor(WISP * uv[a, 0]) + (1 << 40), floor(4.0 * (uv[a, 1] - floor(uv[a, 1])))
             spot = np.uint64(along) * np.uint64(31) + np.uint64(beside)
             wisp = uniform(spot, np.uint64(7))
-            count *= pile + (1.0 - pile) * (SLEEK + (3.0 - 3.0 * SLEEK) * wisp * wisp)
+            count *= SLEEK + (3.0 - 3.0 * SLEEK) * wisp * wisp
         key = np.uint64(f)
         many = int(count)
         if uniform(key, np.uint64(0)) < count - many:
@@ -148,10 +145,9 @@ def hairs(
                 uniform(key, np.uint64(at + 6)),
                 uniform(key, np.uint64(at + 7)),
             )
-            # Most are short; few are long, and no two alike. A pile is cut.
+            # Most are short; few are long, and no two alike.
             rare = r2 * r2 * r2
-            long = 0.10 + 0.42 * r2 * r2 + 0.5 * rare * r2 + 2.4 * rare * rare * rare
-            long = radius * table[m, REACH] * (long + pile * (0.75 + 0.25 * r2 - long))
+            long = radius * table[m, REACH] * (0.10 + 0.42 * r2 * r2 + 0.5 * rare * r2 + 2.4 * rare * rare * rare)
             size = 0.0
             for k in range(3):
                 p[k] = vertices[a, k] + r0 * (vertices[b, k] - vertices[a, k]) + r1 * (vertices[c, k] - vertices[a, k])
@@ -175,8 +171,7 @@ def hairs(
             s[0], s[1], s[2] = n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]
             # It leaves its strand at some slant, along it either way, and bows as it goes.
             lift = 0.15 + 0.85 * r3 * (0.4 + 0.6 * r2)
-            lift += pile * (1.0 - lift)
-            ahead, aside = (1.0 - 0.4 * pile) * (2.0 * r4 - 1.0), (1.6 - 0.6 * pile) * (r5 - 0.5)
+            ahead, aside = 2.0 * r4 - 1.0, 1.6 * (r5 - 0.5)
             size = 0.0
             for k in range(3):
                 d[k] = lift * n[k] + ahead * t[k] + aside * s[k]
@@ -190,7 +185,7 @@ def hairs(
                 bow[k] = b0 * t[k] + b1 * s[k] + 0.5 * (b2 - 0.5) * n[k]
             # Most bow gently; few are crimped.
             curl = 2.0 * uniform(key, np.uint64(at + 9)) - 1.0
-            curl *= curl * curl * (1.0 - pile)
+            curl *= curl * curl
             # Light where it stands, over the wrapped half of the world that its root sees.
             light[:] = 0.0
             asked, came = 0.0, 0.0
@@ -219,7 +214,7 @@ def hairs(
                     light[k] += stride * gain * weight[q, k]
             if uniform(key, np.uint64(at + 12)) * asked > OPEN * came:
                 continue
-            tone = 1.0 + (0.36 + 0.2 * pile) * (uniform(key, np.uint64(at + 11)) - 0.5)
+            tone = 0.82 + 0.36 * uniform(key, np.uint64(at + 11))
             row, column = i // samples, j // samples
             for k in range(3):
                 albedo = DYED[0] + DYED[1] * color[a, k]
@@ -252,7 +247,7 @@ def hairs(
                 ny = 0.5 * height - (axes[1, 0] * qx + axes[1, 1] * qy + axes[1, 2] * qz) / back * scale
                 way = sqrt((nx - lx) * (nx - lx) + (ny - ly) * (ny - ly))
                 dots = int(way / 0.7) + 1
-                taper = 1.0 - (0.7 - 0.35 * pile) * (k / steps) * (k / steps)
+                taper = 1.0 - 0.7 * (k / steps) * (k / steps)
                 tip = ROOTS + (TIPS - ROOTS) * k / steps
                 cover = thick * taper * way / dots
                 for dot in range(dots):

@@ -13,14 +13,13 @@ from tambour.render.light import seen
 # Columns of a material: fuzz (light that fibres scatter at the rim), wrap (light that creeps round the edge), gloss,
 # highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii, how strongly fibres show
 # on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii; tiles of fibres to a
-# turn of the twist: a few, and they lie along it, many, and one sees their ends, a pile; how far its hairs are a pile themselves, cut to
-# one length and upright, 0 for such as came loose, 1 for velvet.
-FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE, TILES, PILE = range(12)
+# turn of the twist: a few, and they lie along it, many, and one sees their ends, a pile.
+FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE, TILES = range(11)
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
-MOTTLED = 0.12  # how much lighter and darker single fibres are: less, and wool looks like clay
+MOTTLED = 0.16  # how much lighter and darker single fibres are: less, and wool looks like clay
 SOFT = 0.08  # how round the bottom of the groove between plies is
-DARK, DARKEST = 2.0, 0.62  # how much of the light the groove between plies keeps out, for its depth, and at the most
+DARK, DARKEST = 2.4, 0.75  # how much of the light the groove between plies keeps out, for its depth, and at the most
 
 
 @kernel
