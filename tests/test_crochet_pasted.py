@@ -425,3 +425,12 @@ def test_a_range_behind_a_count_that_works_nothing_is_no_round() -> None:
         "Nut\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: dec x 6 (6) Place eyes (6 mm) 5-6. Then close.\n"
     )
     assert _counts(pattern) == [6, 12, 6]
+
+
+def test_a_part_worked_as_another_begins_in_its_own_yarn() -> None:
+    """The chain below it was worked in the yarn of the part before."""
+    text = "Hero\nCape\nWith red, ch 6.\nRow 1: sc in 2nd ch from hook and in each ch across, turn (5)\nRow 2: ch 1, sc across, turn (5)\nSkirt\nWith green, ch 3.\nRow 1: sc in 2nd ch from hook and in next ch (2)\nCloak\nWith blue, work same as Rows 1-2 of cape.\n"
+    lines = _read(text).parts[-1].lines
+    at = next(k for k, line in enumerate(lines) if any(getattr(i, "name", "") == "ch" for i in line.items))
+    hues = [i for line in lines[:at] for i in line.items if getattr(i, "name", "") == "color"]
+    assert hues and max(getattr(hues[-1], "numbers", (0, 0, 0))) == getattr(hues[-1], "numbers", (0, 0, 0))[2]

@@ -85,6 +85,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if refers.until and not (total := rounds_until(lines, draft.edge, refers.until, source.stitches)):
         return False
     how, plain = _other_yarns(p, refers), draft.begun()
+    before_chain: Action | None = None  # the yarn that the chain below is worked in too
     if refers.mirrored:
         source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
     if not draft.begun() or draft.chain is not None:
@@ -95,6 +96,9 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
                 for line in draft.lines
             ]
             own = [replace(line, items=said) for line, said in hues if said]
+            dye = next((i for i in body.items[:1] if isinstance(i, Action) and i.name == "color"), None)
+            if not own and how is None and dye is not None and dye.span.start < refers.span.start:
+                own, before_chain = [Line((dye,), dye.span, False)], dye
             # "With B, work as for Head" is worked in B.
             begun = [_undyed(line) if own else line for line in origin.lines[:first]]
             begun = recolored(begun, how, True) if how is not None and how.swaps and begun else begun
@@ -123,6 +127,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     first_dyes = {i.numbers for i in lead if i.name == "color"}
     if how is None and not body.hues and len(first_dyes) == len(_dyes(lines)) == 1 and first_dyes != _dyes(lines):
         lines = tuple(_undyed(line) for line in lines)  # "With B, rep Rnds 7-9", which are all in A
+    lead = tuple(i for i in lead if i is not before_chain)
     again = Again(lines, first_number, last_number, "" if origin is draft else origin.name, refers.span)
     notes = (how.span,) if how is not None else ()  # stands beside what is printed as a reference again
     line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again, notes)
