@@ -131,12 +131,13 @@ def test_what_nobody_says_of_the_stuffing_and_of_colours_is_noted_once() -> None
 
 def test_a_chain_is_not_turned_before_its_first_row() -> None:
     said = [said for said, _ in rows(shop("mushroom-house"), "DOOR")]
-    assert "With brown yarn, ch 6." in said and any("from the 2nd ch" in one for one in said)
+    first = said.index("With brown yarn, ch 6.") + 1  # in her words, which say where the chain is worked
+    assert said[first] == "Row 1 sc in 2nd ch from hook, sc across, turn"
 
 
 def test_hands_are_told_what_they_must_know() -> None:
     door = [said for said, _ in rows(shop("toadstool"), "DOOR")]
-    assert "Row 1 from the 2nd ch from the hook: 5 sc, turn" in door
+    assert "Row 1 Sc in 2nd ch from hook and in each ch across, turn." in door
     legs = [said for said, _ in rows(shop("pickles"), "FRONT LEGS")]
     assert (
         "Change to grey, with the last yarn over of the stitch before." in legs
@@ -164,7 +165,7 @@ def test_a_scarf_is_begun_in_the_chain_that_she_says() -> None:
     scarf = book(
         "SCARF\nWith red, ch 12.\nRow 1: sc in 2nd ch from hook and in each ch across (11)\nRow 2: ch 1, turn, sc across (11)\n"
     )
-    assert any("Row 1 from the 2nd ch from the hook: 11 sc" in said for said, _ in rows(scarf, "SCARF"))
+    assert "Row 1 sc in 2nd ch from hook and in each ch across" in [said for said, _ in rows(scarf, "SCARF")]
 
 
 def test_rows_that_are_worked_again_are_rows() -> None:

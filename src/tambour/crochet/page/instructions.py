@@ -67,6 +67,7 @@ def _text(made: Words, name: str) -> Text:
             "",
         ]
     for part in made.parts:
+        lines += [line for said in part.above for line in (said, "")]
         lines += [f"## {part.title}", "", *part.settings]
         lines += [*(f"{said}  " for said in part.lines), ""]  # each a line of its own in Markdown as well
     if made.seams or made.finish:

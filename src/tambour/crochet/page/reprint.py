@@ -48,7 +48,12 @@ def _named(letter: str, hers: Hers) -> bool:
 def _part(book: Book, part: PartText) -> PartText:
     """A part's lines with her sentences; what is noted with a round stands as a sentence of its own."""
     rows = with_hers(book, part, steps=True)
-    return replace(part, lines=tuple(replace(r, words=r.words.strip("*")) if noted(r) else r for r in rows))
+    start = next((at for at, k in book.hers.starts if k == part.section), 0) if book.hers is not None else 0
+    above = [
+        r for r in rows if r.hers and not r.label and r.words.isupper() and r.span is not None and r.span.end <= start
+    ]
+    rows = [replace(r, words=r.words.strip("*")) if noted(r) else r for r in rows if r not in above]
+    return replace(part, lines=tuple(rows), above=tuple(r.words for r in above))
 
 
 def _ours(book: Book, parts: tuple[PartText, ...]) -> list[tuple[str, str]]:

@@ -45,6 +45,7 @@ class PartText:
 
     settings : hints for the simulation, which are no instructions; part : its first copy among the graph's parts
     section : its place among the pattern's parts; span : where its text begins and ends, where that is not all of the part's
+    above : what heads it and the parts below it ("STARFISH")
     """
 
     name: str
@@ -54,6 +55,7 @@ class PartText:
     part: int = -1
     section: int = -1
     span: tuple[int, int] | None = None
+    above: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
