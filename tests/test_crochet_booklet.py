@@ -369,7 +369,7 @@ ASSEMBLY
     made = hers(read(Text(text, "bear.txt")), "us")
     assert made is not None
     assert list(made.ahead.values()) == [["Pin everything first!"]] and made.closing == ["Enjoy your bear."]
-    assert [words for _, words, _ in made.inside[0]] == ["Stuff the body firmly and keep it round."], (
+    assert [words for words, _ in made.inside[0]] == ["Stuff the body firmly and keep it round."], (
         "a sentence is never cut at a line"
     )
     assert made.size == 'about 12 cm (4.7") tall'

@@ -11,7 +11,7 @@ from PIL import Image
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.maker.taken import Taken
-from tambour.crochet.page.assembly import _sentences, _under, assembly, finished
+from tambour.crochet.page.assembly import _sentences, _under, assembly, finished, locked
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.charted import helps
 from tambour.crochet.page.flow import Atom, Chunk, Frame, plan
@@ -254,3 +254,18 @@ def test_the_finished_toy_is_large_where_it_has_a_page_of_its_own(filled: float,
     assert len(of.pages) == (1 if across == 4 else 2)
     wide = {round(image.width, 1) for image in of.pages[-1].images}
     assert len(of.pages[-1].images) == 4 and wide == {round((210.0 - 36.0 - 4.0 * (across - 1)) / across, 1)}
+
+
+@pytest.mark.parametrize(
+    "words, early",
+    [
+        ("Insert 9 mm eyes between rounds 3 and 4, 3 stitches apart.", True),
+        ("Insert safety eyes, then stitch on a smile.", True),
+        ("Place the eyes between rounds 3 and 4, 3 stitches apart.", True),
+        ("Sew 6 mm black beads on for eyes, between rounds 3 and 4.", False),
+        ("Glue felt eyes onto the animal between rounds 3 and 4.", False),
+        ("Sew button eyes to the toy between rounds 3 and 4.", False),
+    ],
+)
+def test_only_eyes_that_are_locked_inside_are_put_in_early(words: str, early: bool) -> None:
+    assert locked(words) is early

@@ -434,3 +434,16 @@ def test_a_part_worked_as_another_begins_in_its_own_yarn() -> None:
     at = next(k for k, line in enumerate(lines) if any(getattr(i, "name", "") == "ch" for i in line.items))
     hues = [i for line in lines[:at] for i in line.items if getattr(i, "name", "") == "color"]
     assert hues and max(getattr(hues[-1], "numbers", (0, 0, 0))) == getattr(hues[-1], "numbers", (0, 0, 0))[2]
+
+
+def test_a_list_goes_on_behind_rounds_that_are_repeated() -> None:
+    """What followed was numbered from the items alone: round 4 beside 4 to 6, and a warning that it is there already."""
+    pattern = _read("Ball\n- 6 sc in MR (6)\n- 6 inc (12)\n- 12 sc (12)\nRepeat the last round 3 times.\n- 6 dec (6)\n")
+    assert [line.number for line in pattern.parts[0].lines if line.in_round] == [1, 2, 3, 4, 7]
+    assert not pattern.warnings and not pattern.unread
+
+
+def test_a_part_that_is_begun_in_a_chain_is_no_round_of_the_one_before() -> None:
+    text = "Cat\nHead\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nRnd 3: 6 dec (6)\n\nArm\n{0} 1: ch 6, 5 sc (5)\n{0} 2: 5 sc (5)\n"
+    for called in ("Rnd", "Row"):
+        assert [part.name for part in _read(text.format(called)).parts] == ["Head", "Arm"]

@@ -253,10 +253,12 @@ Embroider a smile on the body. Give Rolf a hug.
     assert said.designer == "Anna"  # on the cover
     assert said.intro == ["Rolf rolls.", "Please do not sell copies of this pattern."]
     assert said.materials == ["yarn in red"]
-    assert next((after, words) for after, words, _ in said.inside[0]) == (
-        10,
-        "Put the eyes in between rounds 8 and 9 now.",
+    words, span = said.inside[0][0]
+    assert words == "Put the eyes in between rounds 8 and 9 now."
+    after = max(
+        line.number + line.times - 1 for line in pattern.parts[0].lines if line.number and line.span.start < span.start
     )
+    assert after == 10  # where she wrote it
     assert said.closing == ["Give Rolf a hug."] and hers(pattern, "de") is None
 
 

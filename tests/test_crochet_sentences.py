@@ -80,7 +80,7 @@ def test_what_hands_do_is_kept_for_the_booklet_at_its_place(said: str) -> None:
 
     text = f"{BALL}{said}\nRnd 3: Sc in each sc around. (12)\n"
     pattern = read(Text(text, "toy.txt"))
-    kept = " ".join(words for notes in hers(pattern, "us").inside.values() for _, words, _ in notes)  # type: ignore[union-attr]
+    kept = " ".join(words for notes in hers(pattern, "us").inside.values() for words, _ in notes)  # type: ignore[union-attr]
     assert all(word in kept for word in said.replace(".", " ").split())
     told = [*pattern.passed, *(w.span for w in pattern.warnings if w.span is not None)]
     assert any(pattern.text.text[a.start : a.end] in said for a in told)
@@ -91,7 +91,7 @@ def test_what_stands_behind_the_name_of_a_part_in_its_line_is_kept() -> None:
 
     strap = "Strap: With A, ch 15. Fasten off. Weave in the 2 ends. Tie a bow."
     notes = hers(read(Text(f"{BALL}Fasten off.\n{strap}\n", "toy.txt")), "us").inside  # type: ignore[union-attr]
-    words = [said for part in notes.values() for _, said, _ in part]
+    words = [said for part in notes.values() for said, _ in part]
     assert "Weave in the 2 ends." in words and "Tie a bow." in words and not any("ch 15" in said for said in words)
 
 

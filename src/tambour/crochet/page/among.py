@@ -136,7 +136,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
     assert book.hers is not None
     text = book.piece.built.pattern.text.text
     many = len({hue for one in book.said.blocks for row in one.lines for hue in row.colors}) > 1
-    her_way = any("worked from" in words.lower() for _, words, _ in book.hers.inside.get(block.section, []))
+    her_way = any("worked from" in words.lower() for words, _ in book.hers.inside.get(block.section, []))
     told: set[int] = set()
     rows: list[tuple[Row, int]] = []
     for row in block.lines:
@@ -238,7 +238,7 @@ def _said(book: Book, block: PartText, steps: bool) -> list[tuple[str, Span]]:
     titles = {name.lower() for other in book.said.blocks for name in (other.name, other.title)}
     said = [
         (words, span)
-        for _, words, span in book.hers.inside.get(block.section, [])
+        for words, span in book.hers.inside.get(block.section, [])
         if _within(block, span.start)
         and (steps or (span.start, span.end) not in book.hers.told)
         and words.rstrip(".:").lower() not in titles

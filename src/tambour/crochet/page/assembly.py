@@ -31,14 +31,13 @@ _CLOSED = re.compile(
     re.IGNORECASE,
 )
 """How she says that an end is closed."""
-_LOCKED = re.compile(
-    r"\b(?:safety|snap|plastic|lock\w*|washers?|animal|doll|craft|toy|glass|\d+\s*mm)\b", re.IGNORECASE
-)
+_LOCKED = re.compile(r"\b(?:safety|snap|plastic|lock\w*|washers?)\b", re.IGNORECASE)
 """Eyes that are put in from outside and locked inside."""
 _SEWN = re.compile(
-    r"\b(?:beads?|buttons?|felt|glue\w*|embroider\w*|sew\w*|stitch\w*|french|crochet\w*)\b", re.IGNORECASE
+    r"\b(?:beads?|buttons?|felt|glue\w*|embroider\w*|sew\w*|stitch(?:ed|ing)|(?<!\d )stitch|french|crochet\w*)\b",
+    re.IGNORECASE,
 )
-"""Words of eyes that are put on from outside, when all else is done."""
+"""Words of eyes that are put on from outside, when all else is done; "5 stitches apart" says only where."""
 _LOWEST = 0.65
 """How high pictures of the finished toy are for their width, at the least."""
 _SMALL = 0.6
@@ -207,7 +206,7 @@ def _closed(book: Book, record: Placed) -> bool:
     """Whether her sentences have an end closed before it is sewn on, by stitches that are no round."""
     assert book.hers is not None
     section = book.piece.built.parts[Spots(book.piece.built).parts[record.part]].section
-    return any(_CLOSED.search(words) for _, words, _ in book.hers.inside.get(section, []))
+    return any(_CLOSED.search(words) for words, _ in book.hers.inside.get(section, []))
 
 
 def _eyes_only(book: Book, step: Step) -> bool:
@@ -219,6 +218,11 @@ def _eyes_only(book: Book, step: Step) -> bool:
 def put_early(book: Book, eyes: Sequence[Eye]) -> bool:
     """Whether eyes are put in while their part is open: such as are locked inside, and not beads, felt or thread."""
     words = " ".join(dict.fromkeys(book.words_of(r) for r in eyes)).strip() if book.hers is not None else ""
+    return locked(words)
+
+
+def locked(words: str) -> bool:
+    """Whether what is said of eyes has them locked inside; where nothing is said they are."""
     return bool(_LOCKED.search(words)) or not _SEWN.search(words)
 
 

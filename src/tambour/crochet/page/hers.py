@@ -149,8 +149,8 @@ class Hers:
 
     materials : her list of them, line by line; terms : her abbreviations and what they mean; designer : "" unsaid
     size : what she says of it in a sentence ("about 25 cm (10") tall"), "" for nothing
-    starts : where her parts begin, and which; worked : what of her text lines came of; inside : place of a part among the pattern's → (the round after which it stands, 0 before
-        the first; sentence; its place); told : places of those that a step of the assembly tells; headed : her headings (part, words, place)
+    starts : where her parts begin, and which; worked : what of her text lines came of; inside : place of a part among the pattern's →
+        (sentence, its place); told : places of those that a step of the assembly tells; headed : her headings (part, words, place)
     finishing : all sentences of the assembly, and their places; listed : her lists of abbreviations and stitches, line by line
     beside : of a sentence that puts something somewhere (from, to) → those behind it in its line that say more of it
     ahead : the same → those that stand before it and behind the one before; assembly : where in her text it begins
@@ -161,7 +161,7 @@ class Hers:
     terms: dict[str, str] = field(default_factory=dict)
     designer: str = ""
     size: str = ""
-    inside: dict[int, list[tuple[int, str, Span]]] = field(default_factory=dict)
+    inside: dict[int, list[tuple[str, Span]]] = field(default_factory=dict)
     beside: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     ahead: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     closing: list[str] = field(default_factory=list)
@@ -180,7 +180,7 @@ class Hers:
     @property
     def sentences(self) -> list[str]:
         """All that is set in her words among the rounds and behind them."""
-        among = [words for said in self.inside.values() for _, words, _ in said]
+        among = [words for said in self.inside.values() for words, _ in said]
         among += [words for words, _ in self.finishing]
         among += [" ".join(one.words.split()) for one in self.worked if not one.plain]
         steps = [words for said in (*self.beside.values(), *self.ahead.values()) for words in said]
@@ -244,11 +244,11 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
                 )
                 if ahead >= 0 and words.isupper() and len(words.split()) <= _NAMES:
                     part = ahead  # "STARFISH" above its first part
-                made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
+                made.inside.setdefault(part, []).append((words, span))
     made.closing += waiting
     made.intro += _left(made, pattern, [one for one in lines if one[0] < first and one[0] not in heads])
     for said in made.inside.values():
-        said.sort(key=lambda one: one[2].start)
+        said.sort(key=lambda one: one[1].start)
     return made
 
 
@@ -450,11 +450,6 @@ def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
         if _LETTER.search(words):
             made.append((words, Span(begin, at)))
     return made
-
-
-def _round(pattern: Pattern, part: int, at: int) -> int:
-    """The number of the last round of a part that stands before a place of the text."""
-    return max((x.number + x.times - 1 for x in pattern.parts[part].lines if x.number and x.span.start < at), default=0)
 
 
 def _stated(pattern: Pattern, a: int, b: int) -> bool:

@@ -204,7 +204,7 @@ def _stuffed(book: Book, block: PartText) -> str:
     sewn = any(isinstance(r, Placed) and r.part in (section.name, f"{section.name}.1") for r in built.pattern.finish)
     if not sewn or section.guessed or section.stuffing is not None or part.stuffing <= 0.0:
         return ""
-    said = " ".join(words.lower() for _, words, _ in book.hers.inside.get(block.section, []))
+    said = " ".join(words.lower() for words, _ in book.hers.inside.get(block.section, []))
     rest = " ".join([*book.hers.intro, *book.hers.closing]).lower()
     return "" if _STUFFS.search(f"{said} {rest}") else book.own["is stuffed"]
 
@@ -231,7 +231,7 @@ def _way_up(book: Book, block: PartText) -> str:
     if not any(spot.part == section.name for f in built.pattern.finish for spot in spots_of(f)):
         return ""
     mine = [r for r in built.rounds if r.part == block.part and r.count]
-    said = " ".join(words.lower() for _, words, _ in book.hers.inside.get(block.section, []))
+    said = " ".join(words.lower() for words, _ in book.hers.inside.get(block.section, []))
     if len(mine) < _SOME or "worked from" in said:
         return ""
     ends = [book.piece.positions[r.first : r.last + 1].mean(0) for r in (mine[0], mine[-1])]

@@ -316,6 +316,9 @@ def _ranged(tokens: list[Token], k: int) -> bool:
     )
 
 
+_AGAIN: Final = frozenset(("repeat", "rep", "again"))
+
+
 def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with the rounds of lists numbered that bear none, each list from the one that founds a piece on."""
     if not any(_closes(row.tokens) for row in rows):
@@ -342,6 +345,8 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
             bare = _bare(row, vocabulary)
             if bare and _founds(row, vocabulary):
                 break
+            if not bare and any(t.word in _AGAIN for t in row.tokens):
+                break  # "Repeat the last round 3 times": what follows goes on from there, by the reader's own count
             if bare:
                 run.append((at, n + 1))
                 n, far = n + _many(row.tokens), 0

@@ -347,6 +347,7 @@ class Printed(Headed):
             and (last.edge or 0) > 2
             and self.ringed is None  # "Start with a magic ring. R1: 8 sc" is another piece
             and not _starts(tokens, ringed, self.heading is None)
+            and (self.heading is None or not _back_along(tokens) or _goes_on(self.heading))
             and (self.heading is None or not self.heading.marked or _goes_on(self.heading))
         ):
             self.heading = None
@@ -401,6 +402,18 @@ def _starts(tokens: list[Token], ringed: bool, unheaded: bool) -> bool:
     here = {k for k, t in enumerate(tokens[:-1]) if unheaded and t.value == "same" and _place_of_work(tokens[k + 1])}
     here |= {n for k in here for n in range(k + 2, k + 4) if n < len(tokens) and tokens[n].value == "as"}
     return any(t.kind == "key" and t.value in starts and k not in yarn | here for k, t in enumerate(tokens))
+
+
+def _back_along(tokens: list[Token]) -> bool:
+    """Whether words make a chain and work back along it: "ch 6, 5 sc (5)" makes as many as a chain of six gives."""
+    said = [t for t in tokens if t.kind != "mark" or t.word not in ",.;"]
+    if len(said) < 5 or (
+        {said[0].value, said[1].kind} != {"ch", "number"} and {said[1].value, said[0].kind} != {"ch", "number"}
+    ):
+        return False
+    many = said[0].value if said[0].kind == "number" else said[1].value
+    last = said[-2] if said[-1].word in (")", "]") else said[-1]
+    return many > 3 and last.kind == "number" and many - 2 <= last.value < many
 
 
 def _place_of_work(token: Token) -> bool:
