@@ -56,13 +56,14 @@ def test_a_ball_of_motifs_is_filled_as_one() -> None:
     assert volume.max() > 0.75 * np.pi / 6.0 * size.prod()  # nothing of it is dented
 
 
-def test_the_seams_of_a_ball_close_it() -> None:
+def test_seams_of_a_ball_join_each_of_its_motifs_to_others() -> None:
     built = built_of(MOTIF + "Sew motifs to a ball, stuffing it.", "Flower ball")
     joining = prepare(built)
     assert joining is not None
     joined = join(joining, joining.spots.layout, parts(built.graph))
     of = built.graph.part[joined.around]
-    assert len(joined.around) and (of.min(1) < of.max(1)).all()
+    assert (of.min(1) < of.max(1)).all()
+    assert set(of.ravel().tolist()) == set(range(len(built.graph.parts)))
 
 
 DUCK = """BODY/HEAD

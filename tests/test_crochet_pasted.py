@@ -447,3 +447,8 @@ def test_a_part_that_is_begun_in_a_chain_is_no_round_of_the_one_before() -> None
     text = "Cat\nHead\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nRnd 3: 6 dec (6)\n\nArm\n{0} 1: ch 6, 5 sc (5)\n{0} 2: 5 sc (5)\n"
     for called in ("Rnd", "Row"):
         assert [part.name for part in _read(text.format(called)).parts] == ["Head", "Arm"]
+
+
+def test_a_name_in_another_alphabet_stays_as_she_writes_it() -> None:
+    """One word of both alphabets in a round turned all that could be ours: a "Сара" was printed as "Capa"."""
+    assert ours("Copyright Сара\nRnd 1: 6 sс (6)\nх 6") == "Copyright Сара\nRnd 1: 6 sc (6)\nx 6"

@@ -179,29 +179,6 @@ def together(*lights: Lights) -> Lights:
 
 
 @kernel
-def seen(
-    k: int,
-    px: float,
-    py: float,
-    pz: float,
-    axes: F8x3,
-    origin: F8x2,
-    texel: F8x1,
-    direction: F8x2,
-    depth: F4x3,
-    slack: float,
-) -> float:
-    """1 when nothing stands between a point and light ``k``, else 0; ``slack`` texels in height count as nothing."""
-    size = depth.shape[1]
-    s = (px * axes[k, 0, 0] + py * axes[k, 0, 1] + pz * axes[k, 0, 2] - origin[k, 0]) / texel[k]
-    t = (px * axes[k, 1, 0] + py * axes[k, 1, 1] + pz * axes[k, 1, 2] - origin[k, 1]) / texel[k]
-    if s < 0.0 or t < 0.0 or s >= size or t >= size:
-        return 1.0
-    height = px * direction[k, 0] + py * direction[k, 1] + pz * direction[k, 2]
-    return 0.0 if depth[k, int(t), int(s)] > height + slack * texel[k] else 1.0
-
-
-@kernel
 def above(
     k: int,
     px: float,
@@ -214,14 +191,32 @@ def above(
     depth: F4x3,
     slack: float,
 ) -> float:
-    """How far, mm, towards light ``k`` what keeps it from a point is; 0 where nothing does; slack : see :func:`seen`."""
+    """How far, mm, towards light ``k`` what keeps it from a point is; 0 where nothing does; ``slack`` texels in height count as nothing."""
     size = depth.shape[1]
     s = (px * axes[k, 0, 0] + py * axes[k, 0, 1] + pz * axes[k, 0, 2] - origin[k, 0]) / texel[k]
     t = (px * axes[k, 1, 0] + py * axes[k, 1, 1] + pz * axes[k, 1, 2] - origin[k, 1]) / texel[k]
     if s < 0.0 or t < 0.0 or s >= size or t >= size:
         return 0.0
-    far = depth[k, int(t), int(s)] - (px * direction[k, 0] + py * direction[k, 1] + pz * direction[k, 2])
-    return far if far > slack * texel[k] else 0.0
+    height = px * direction[k, 0] + py * direction[k, 1] + pz * direction[k, 2]
+    top = depth[k, int(t), int(s)]
+    return top - height if top > height + slack * texel[k] else 0.0
+
+
+@kernel
+def seen(
+    k: int,
+    px: float,
+    py: float,
+    pz: float,
+    axes: F8x3,
+    origin: F8x2,
+    texel: F8x1,
+    direction: F8x2,
+    depth: F4x3,
+    slack: float,
+) -> float:
+    """1 when nothing stands between a point and light ``k``, else 0; slack : see :func:`above`."""
+    return 0.0 if above(k, px, py, pz, axes, origin, texel, direction, depth, slack) > 0.0 else 1.0
 
 
 @kernel

@@ -13,6 +13,7 @@ from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
+from tambour.crochet.words.numbers import NUMBERS
 
 _LIKE: Final = str.maketrans(
     "асеорхуіѕјһԁкАВЕКМНОРСТХІЅЈУοΟυνκΑΒΕΖΗΙΚΜΝΡΤΥΧ", "aceopxyisjhdkABEKMHOPCTXISJYoOuvkABEZHIKMNPTYX"
@@ -28,7 +29,6 @@ _GLUED: Final = re.compile(
     r"(?<=[a-zà-þ])(?=(?:R|Rnd|Rnds|Rd|Round|Rounds|Row|Rows)[ ]?\d{1,3}(?:[ ]?[-–][ ]?\d{1,3})?[ ]?[:.)])"
 )
 """Where a name ends that a head follows with nothing between: "StemRnd 1:"."""
-_SPELT: Final = ("one", "two", "three", "four", "five", "six")
 _RUN: Final = 2  # rounds of a list whose numbers the page drew
 _FAR: Final = 4  # lines that may stand between two of them
 _AHEAD: Final = 4  # words among which a line's own number stands
@@ -77,18 +77,29 @@ def ours(text: str) -> str:
     if not _FOREIGN.search(text):
         return text
     words = [word for word in _MIXED.findall(text) if not word.isascii()]
-    mixed = sum(_LATIN.search(word) is not None and _FOREIGN.search(word) is not None for word in words)
+    mixed = sum(_mixed(word) for word in words)
     if not mixed:
         return text
     theirs = sum(_LATIN.search(word) is None and not word.translate(_LIKE).isascii() for word in words)
     mostly = mixed > theirs  # no bilingual text, of which words in letters like ours may be the other language's
 
-    def put(word: re.Match[str]) -> str:
-        said = word[0].translate(_LIKE)
-        alike = said.isascii() and (mostly or _LATIN.search(word[0]) is not None)
-        return said if alike else word[0]
+    def put(line: str) -> str:
+        # Of words that are wholly theirs a name stays what she calls herself, where no other word of its line is mixed.
+        named = not any(_mixed(word) for word in _MIXED.findall(line))
 
-    return _MIXED.sub(put, text)
+        def word(found: re.Match[str]) -> str:
+            said = found[0].translate(_LIKE)
+            alike = _LATIN.search(found[0]) is not None or (mostly and not (named and len(said) > 2))
+            return said if alike and said.isascii() else found[0]
+
+        return _MIXED.sub(word, line)
+
+    return "\n".join(map(put, text.split("\n")))
+
+
+def _mixed(word: str) -> bool:
+    """Whether a word has letters of ours and such as only look so."""
+    return not word.isascii() and _LATIN.search(word) is not None and _FOREIGN.search(word) is not None
 
 
 def pasted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
@@ -365,7 +376,7 @@ def _many(tokens: list[Token]) -> int:
     words = [t.word for t in tokens]
     at = next((k for k, w in enumerate(words[:-2]) if w == "for" and words[k + 2] in ("rounds", "rnds", "rows")), -1)
     said = words[at + 1] if at >= 0 else "one"
-    return int(said) if said.isdigit() else _SPELT.index(said) + 1 if said in _SPELT else 1
+    return int(said) if said.isdigit() else NUMBERS.get(said, 1)
 
 
 def _bears(tokens: list[Token], number: int) -> bool:
