@@ -429,3 +429,10 @@ def test_an_edited_text_has_pictures_beside_its_parts(tmp_path: Path) -> None:
     pages = pypdfium2.PdfDocument(tmp_path / "cat.pdf")
     images = [o for page in pages for o in page.get_objects() if o.type == 3]
     assert len(images) == len(beside)
+
+
+def test_the_last_part_is_not_stuffed_because_others_are_when_they_are_sewn_on() -> None:
+    """Behind it stands all of the assembly, with "adding more stuffing" to the roof: her spots were "Stuffed, in the pictures"."""
+    house = shop("toadstool")
+    spots = next(part for part in house.piece.built.pattern.parts if part.name == "SPOTS")
+    assert spots.stuffing == 0.0 and not any("Stuffed" in said for said, _ in rows(house, "SPOTS"))

@@ -216,7 +216,7 @@ class Assembly(Hosts):
             if made is None or part.stuffing is not None or (made == self.main and bears):
                 continue
             end = next((k for k in starts if k > part.span.start), len(text))
-            if _STUFFED.search(text[part.span.start : end]) and not made.worn:
+            if not made.worn and self._told_stuffed(part.name, part.span.start, end):
                 continue
             counts = [
                 r.count for r in self.built.rounds if not r.aside and r.part == self.spots.parts[f"{part.name}.1"]
@@ -231,6 +231,18 @@ class Assembly(Hosts):
             sheet = (made.kind in _SHEETS or alone) and bool(self.spots.in_rows[index]) and index not in self.sewn
             if disc or sheet or made.worn or made.kind in FLAT:
                 self.made.unstuffed.append(part.name)
+
+    def _told_stuffed(self, name: str, start: int, end: int) -> bool:
+        """Whether a stretch of the text says that a part is stuffed; sentences that speak of others alone do not: behind the last part stands
+        "sew the roof to the walls, adding more stuffing"."""
+        for found in _STUFFED.finditer(self.text, start, end):
+            begin = max(self.text.rfind(sign, start, found.start()) for sign in ".!?\n") + 1
+            ends = [at for sign in ".!?\n" if (at := self.text.find(sign, found.end(), end)) >= 0]
+            said = self.text[max(begin, start) : min(ends, default=end)]
+            named = {p.name for p in self.parts if re.search(rf"\b{re.escape(p.name.lower().removesuffix('s'))}", said)}
+            if not named or name in named:
+                return True
+        return False
 
     def _taken(self) -> set[Copy]:
         """Copies that sentences put somewhere."""
