@@ -143,6 +143,10 @@ def test_the_middle_of_the_front_is_told_by_its_stitch() -> None:
     block = whale.said.blocks[0]
     said = [row.words for row in marked(whale, block, list(block.lines)) if row.ours]
     assert "Mark the middle of the front: Rnd 12, between st 19 and 20." in said
+    # A chart from the back says where the line is that it shows: 18 stitches on.
+    assert placement(whale)[0].title == "BELLY AND BODY, from the back"
+    words = " ".join(drawn(whale, 0)[1])
+    assert "Middle of the back: Rnd 8, between st 1 and 2" in words and "iddle of the front: Rnd" not in words
 
 
 LYING = """Pip the Piglet
@@ -188,4 +192,5 @@ def test_of_what_lies_it_is_the_middle_of_the_top() -> None:
     ]  # the ears, and where legs stand
     words = " ".join(word for k in range(2) for word in drawn(of, k)[1])
     assert "Middle of the top: Rnd 6" in words and "iddle of the front" not in words
+    assert "Middle of the underside: Rnd 10, st 2" in words  # the legs, from below
     assert "The dashed line is the middle of the top, seen from below the middle of the underside." in words

@@ -33,9 +33,9 @@ def lies(book: Book, part: int) -> bool:
     return built.pattern.parts[built.parts[part].section].lies
 
 
-def middles(book: Book, spots: Spots, host: int, wanted: Set[int]) -> dict[int, str]:
+def middles(book: Book, spots: Spots, host: int, wanted: Set[int], on: float = 0.0) -> dict[int, str]:
     """Round → at which stitch of a part the middle of the front is, or of the top of one that lies, for the first and the last of the rounds that something is
-    counted on."""
+    counted on; on : what is so much of a round on from it, 0.5 the middle of the back or of the underside."""
     rounds = {
         spots.numbers[k]: k
         for k, r in enumerate(spots.built.rounds)
@@ -44,7 +44,8 @@ def middles(book: Book, spots: Spots, host: int, wanted: Set[int]) -> dict[int, 
     of = [n for n in sorted(wanted) if n in rounds]
     found = {}
     for n in dict.fromkeys((*of[:1], *of[-1:])):
-        at, many = spots.front(rounds[n]) + 1.0, len(spots.stitches(rounds[n]))
+        many = len(spots.stitches(rounds[n]))
+        at = spots.front(rounds[n]) + on * many + 1.0
         whole = abs(at - round(at)) < _WHOLE
         s = ((round(at) if whole else int(at)) - 1) % many + 1
         of_round, between = book.own["middle of round"], book.own["middle between"]

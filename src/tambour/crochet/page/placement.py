@@ -208,9 +208,11 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
     wanted = {n for mark in shown for n in mark.named or (*mark.rounds[:1], *mark.rounds[-1:])}
     name = built.pattern.parts[built.parts[host].section].name
     head = f"{book.called(name)}, {book.own[side]}"
-    places = "; ".join(middles(book, spots, host, wanted).values())
     lying = lies(book, host)
-    said = book.own["top at" if lying else "middle at"].format(places=places) if places else ""
+    on_from = (_DASHED_TOP if lying else _DASHED).get(side)
+    places = "; ".join(middles(book, spots, host, wanted, on_from or 0.0).values())
+    which = book.own[("under at" if lying else "back at") if on_from else ("top at" if lying else "middle at")]
+    said = which.format(places=places) if places else ""
     middle = wrap(f"{said[:1].upper()}{said[1:]}", SMALL, width)
 
     def draw(sheet: Page, x0: float, y0: float) -> None:
@@ -219,8 +221,8 @@ def _chart(book: Book, spots: Spots, host: int, side: str, marks: Sequence[_Mark
         for line in lines:
             sheet.shape(line + at, None, SOFT, 0.12)
         sheet.circles(np.concatenate(lines) + at, 0.3, SOFT)
-        if side in _DASHED:
-            _middle(sheet, spots, host, flat + at, ahead, (_DASHED_TOP if lying else _DASHED)[side])
+        if on_from is not None:
+            _middle(sheet, spots, host, flat + at, ahead, on_from)
         for mark in shown:
             _sewn(sheet, mark, on(mark.points) + at)
         for n, spot, high in _spaced(numbers, wanted):
