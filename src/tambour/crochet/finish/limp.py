@@ -1,4 +1,4 @@
-"""Limp: thin limbs that bear nothing, laid where they fall: arms of an octopus about it, dangling legs before the toy."""
+"""Limp: thin limbs that bear nothing, laid where they fall: arms of an octopus about it, dangling legs before the toy, a long tail behind it."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ ARMS = re.compile(r"\b(?:tentacles?|tentakeln?|fangarme?|tentáculos?|tentacules
 """Names of limbs that a toy stands on, where they are not limp, and of those that always are."""
 _BOTH = re.compile(r"\b(?:arms?|limbs?|arme?|brazos?|bras|armen)(?![^\W\d_])")
 """Names of arms, and of limbs that are arms as well, where they are made alike: the lowest pair of them are the legs."""
+_TAIL = re.compile(r"\b(?:tail|schwanz|cola|queue|staart)(?![^\W\d_])")
+"""Names of tails; those of tail lights and tail feathers are none that trail, as they are short or wide."""
 THIN = 1.45
 """A leg is limp whose stitches lie so near to its axis, in stitches, by the root of the mean of squares: eight round it."""
 LONG = 9.0
@@ -32,17 +34,22 @@ PAIR = 2
 """So many legs dangle; what has more of them goes on them."""
 ONWARD = 0.7
 """How much more legs lie ahead than aside."""
+TRAILS = 14.0
+"""A thin tail longer than this, in stitches, does not hold itself up."""
+SIDEWAYS = 1.0
+"""How much such a tail lies aside for as much as it lies behind: straight behind nobody sees it from before."""
 FEW = 3
 """So many strands are a fringe or a curl: those are not lain about."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Limb:
-    """Its nodes (K,) with all that is sewn to them, where it hangs (3,), and whether it is a leg."""
+    """Its nodes (K,) with all that is sewn to them, where it hangs (3,), and whether it is a leg, or a tail."""
 
     nodes: Array
     root: Array
     leg: bool
+    tail: bool = False
 
 
 def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]:
@@ -58,12 +65,16 @@ def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]
         part = joining.spots.parts[f.part]
         arm, leg = ARMS.search(f.part.lower()), LEGS.search(f.part.lower())
         both = _BOTH.search(f.part.lower())
-        if not (arm or leg or both) or not own[graph.parts[part].start]:
+        tail = _TAIL.search(f.part.lower())
+        if not (arm or leg or both or tail) or not own[graph.parts[part].start]:
             continue
         bear = {part}
         while more := {p for p, host in on.items() if host in bear} - bear:
             bear |= more
         limb = Limb(np.flatnonzero(np.isin(graph.part, list(bear))), x[end.nodes].mean(0), leg is not None)
+        if not (arm or leg or both):
+            found += [replace(limb, tail=True)] if _thin(x[graph.part == part], TRAILS) else []
+            continue
         (found if arm else alike if both else thin).append(limb)
     legs = sorted((limb for limb in alike if limb.leg), key=lambda limb: float(limb.root[1]))[:PAIR]
     thin += legs
@@ -104,9 +115,9 @@ def strings(graph: StitchGraph) -> list[tuple[Array, int]]:
     return found
 
 
-def _thin(x: Array) -> bool:
+def _thin(x: Array, long: float = LONG) -> bool:
     size = axes(x)[0] / math.sqrt(len(x))
-    return bool(size[2] < THIN / math.sqrt(2.0) and math.sqrt(12.0) * size[0] > LONG)
+    return bool(size[2] < THIN / math.sqrt(2.0) and math.sqrt(12.0) * size[0] > long)
 
 
 def lain(x: Array, own: Array, found: list[Limb]) -> Array:
@@ -129,6 +140,8 @@ def lain(x: Array, own: Array, found: list[Limb]) -> Array:
         out = (limb.root - middle) * (1.0, 0.0, 1.0)
         if limb.leg:
             out = out / max(float(np.sqrt((out**2).sum())), 1e-9) * (1.0, 0.0, 0.0) + np.array([0.0, 0.0, 1.0 + ONWARD])
+        if limb.tail:
+            out = out / max(float(np.sqrt((out**2).sum())), 1e-9) + np.array([SIDEWAYS, 0.0, 0.0])
         level = float(np.sqrt((out**2).sum()))
         if level < 1e-6 or far < 1e-6:
             continue

@@ -7,6 +7,7 @@ from typing import Final
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.language.finishes import Placed, Spot
@@ -27,6 +28,10 @@ _ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
 """A head on the neck of what lies: its back on the neck, its nose ahead."""
 _ON_FRONT: Final = np.array([0.0, 0.7, 0.72])
 """Where such a head is on a body without a neck."""
+_BEHIND_EYES: Final = 4.0
+"""So many rounds behind the eyes are the ears of what looks ahead, or more."""
+_FULL: Final = 0.85
+"""Where a head has so much of its widest round its snout and its brow are past."""
 _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
 
@@ -61,6 +66,17 @@ class Jointer(Holder):
         about = max(np.arange(-180.0, 180.0, 6.0 * _ROLL).tolist(), key=rises)
         turns = [about + k * _ROLL for k in range(-9, 10)]
         return replace(record, across=(max(turns, key=rises) + 180.0) % 360.0 - 180.0)
+
+    def _behind_face(self, put: Put, host: Host, near: Spot, direction: Array, half: float) -> Spot:
+        """Where ears and horns are on what looks ahead: behind its eyes, whose rounds may be said, and behind its snout."""
+        eyes, level = self.known.get("eye"), near.round
+        if eyes is not None and eyes[0] == host.name and float(host.axis[2]) < -0.7:
+            clear = max(_BEHIND_EYES if put.kind == "ear" else 1.0, float(np.ceil(half + self.deep.get("eye", 0.5))))
+            level = max(level, min(max(host.near(p).round for p in eyes[1]) + clear, float(host.high)))
+        if put.host is not None and self.work.nose_first(put.host[0]):
+            widest = max(len(ring) for _, ring in host.levels)
+            level = max(level, float(next(n for n, ring in host.levels if len(ring) >= _FULL * widest)))
+        return near if level == near.round else Spot(host.name, float(int(level)), host.in_round(level, direction))
 
     def _headed(self, put: Put) -> bool:
         """Whether a part is put on a body that bears a head of its own, or on that end of what is both."""

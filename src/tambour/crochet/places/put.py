@@ -51,8 +51,6 @@ _ASIDE: Final = frozenset(("fin", "arm", "wing", "flipper"))
 """What goes to the sides, and farther back where the eyes are."""
 _OFF_EYES, _BACKWARDS = 0.9, 10
 """By how many stitches it stays clear of them, and how often it is moved."""
-_BEHIND_EYES: Final = 4.0
-"""So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _NEAR_END: Final = 4
 """A head that is sewn to one of the last so many rounds of a body is on its end."""
 _OVER_TOP: Final = 1.5
@@ -340,15 +338,8 @@ class Putter(Jointer):
         if put.kind == "eye" and len(put.copies) == 2 and is_mask(self.work, host):
             return replace(host.near(eye_on(host, math.copysign(1.0, way.at[0]))), span=put.span), way
         near = host.near(self._off_the_eyes(put, host, host.towards(direction), k))
-        if put.kind in ("ear", "horn") and eyes is not None and eyes[0] == host.name and float(host.axis[2]) < -0.7:
-            # Of what looks ahead the ears and the horns are behind the eyes, whose rounds may be said.
-            clear = max(
-                _BEHIND_EYES if put.kind == "ear" else 1.0,
-                math.ceil(self._half(put.copies[k]) + self.deep.get("eye", 0.5)),
-            )
-            level = min(max(host.near(p).round for p in eyes[1]) + clear, float(host.high))
-            if near.round < level:
-                near = Spot(host.name, float(int(level)), host.in_round(level, direction))
+        if put.kind in ("ear", "horn"):
+            near = self._behind_face(put, host, near, direction, self._half(put.copies[k]))
         if (
             len(put.copies) == 1
             and near.stitch is not None

@@ -40,6 +40,10 @@ _MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
 _EGG: Final = (0.45, 0.55, 0.75)
 """A head that is an egg has so many rounds to a stitch of its widest, which is no earlier than this share of them; at a quarter of
 them it has no more than this share of its stitches."""
+_RING: Final = 8
+"""What begins with so many stitches begins at a tip."""
+_SNOUT: Final = (7, 2, 0.5)
+"""A head has a snout whose first rounds, so many or more and so many times those of its other end, have less than this share of its widest."""
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _LATER: Final = 0.6
@@ -68,7 +72,20 @@ class Upright(Toy):
 
     def ahead(self, made: Made) -> bool:
         """Whether a part is worked from its nose: by its words, by a muzzle of another colour with the eyes behind it, or by its shape."""
-        return super().ahead(made) or self._muzzled(made) or self._pointed(made)
+        return super().ahead(made) or self._muzzled(made) or self._pointed(made) or self._snouted(made)
+
+    def _snouted(self, made: Made) -> bool:
+        """Whether a head begins with a long snout, of which its other end has nothing: as narrow for many rounds, before it widens to a ball."""
+        part = self.spots.parts.get(made.copy(1))
+        head = made.kind == "head" and made.single and "body" not in made.kinds and part is not None
+        if not head or self.spots.in_rows[part] or self.of_kind("muzzle", "nose", "beak", "hat"):
+            return False
+        counts = [r.count for r in self.built.rounds if r.part == part and not r.aside]
+        if not counts or counts[0] > _RING:
+            return False
+        many, times, narrow = _SNOUT
+        wide = [k for k, count in enumerate(counts) if count >= narrow * max(counts)]
+        return wide[0] >= max(many, times * (len(counts) - 1 - wide[-1]))
 
     def _pointed(self, made: Made) -> bool:
         """Whether a closed head without a muzzle, of what goes on four legs, is an egg that widens slowly: its narrow end is its nose."""
