@@ -46,6 +46,10 @@ FLAT: Final = frozenset(
 """Kinds of parts that are not stuffed, unless it is said."""
 _SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branch", "neck"))
 """Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
+_EVEN: Final = 2.5
+"""A belly worked in rows lies flat whose longest row has no more than so many times the stitches of its shortest; a fan is a bowl."""
+_SNOUTS: Final = frozenset(("beak", "muzzle", "nose"))
+"""Kinds of things that eyes are on both sides of."""
 _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
 _LAYERS: Final = frozenset(("ear", "wing", "fin", "leaf", "foot", "tail"))
@@ -175,6 +179,9 @@ class Assembly(Hosts):
         put = Facer(self)
         waiting = self._tree()
         self._fill(waiting)
+        put.snouts = [
+            p for p in waiting if p.kind in _SNOUTS and any(b[:2] == ("between", "eye") for b in p.where.beside)
+        ]
         under = self._under(self.bearer, waiting)
         trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem") or p.copies[0][0] in under]
         for p in trunk:
@@ -229,7 +236,9 @@ class Assembly(Hosts):
             index = self.spots.parts[f"{part.name}.1"]
             alone = made.name in self.made.apart or (made == self.main and "stuff" not in text)
             sheet = (made.kind in _SHEETS or alone) and bool(self.spots.in_rows[index]) and index not in self.sewn
-            if disc or sheet or made.worn or made.kind in FLAT:
+            even = bool(counts) and max(counts) <= _EVEN * min(counts)
+            patch = made.kind == "belly" and even and bool(self.spots.in_rows[index])
+            if disc or sheet or patch or made.worn or made.kind in FLAT:
                 self.made.unstuffed.append(part.name)
 
     def _told_stuffed(self, name: str, start: int, end: int) -> bool:
@@ -380,8 +389,10 @@ class Assembly(Hosts):
             ):  # of parts that stand on each other one is put on the main part, the rest stays as it is
                 p.host = (main, 1)
                 on |= {c[0].copy(c[1]): main.copy(1) for c in p.copies}
-        # A beak is below the eyes, also where it is sewn on before them.
-        return sorted(puts, key=lambda p: (depth(p.copies[0][0].copy(p.copies[0][1])), p.kind != "eye"))
+        # A beak is below the eyes, also where it is sewn on before them; a heart on the chest finds its place between the arms.
+        return sorted(
+            puts, key=lambda p: (depth(p.copies[0][0].copy(p.copies[0][1])), p.kind != "eye", p.kind == "bow")
+        )
 
     @staticmethod
     def _under(part: Made, puts: list[Put]) -> set[Made]:

@@ -66,8 +66,8 @@ class Beside:
             "back",
         )
 
-    def _told(self, way: Way, at: Where, copies: int) -> Way:
-        """A usual way, changed by what was said of it."""
+    def _told(self, way: Way, at: Where, copies: int, kind: str = "") -> Way:
+        """A usual way, changed by what was said of it; ``kind`` : of the part, where it is one."""
         said, (x, y, z) = at.words, way.at
         sign = 1.0 if x >= 0.0 else -1.0
         axis = way.axis
@@ -98,6 +98,8 @@ class Beside:
                 else axis
             )
             y = min(y, 0.4) if "top" not in said else y
+        elif "back" in said and "front" not in said and not kind:
+            x, z = _behind(x, z)  # strips of hair on the back of a head
         if "front" in said and "back" not in said and copies <= 2:
             z = max(0.9, z)
             y = y if abs(y) < 0.9 else 0.5 * y
@@ -116,7 +118,10 @@ class Beside:
         if re.search(r"\boff[- ]?cent(?:er|re)\b", at.text) and copies == 1:
             x, axis = 0.3, None if axis is None else (0.3, axis[1], axis[2])
         if "middle" in said and not said & {"upper", "lower", "top", "bottom", "neck"} and copies == 1:
-            x, y = 0.0, (0.0 if abs(y) < 0.95 else y)
+            x, y = (
+                0.0,
+                (0.0 if abs(y) < 0.95 and kind != "tail" else y),
+            )  # a tail in the middle of the back is as low as any
         line = way.line
         lean = 0.45 if "slightly" in said else 1.3
         base = np.array(axis if axis is not None else (x, y, z), float)
@@ -194,6 +199,10 @@ class Beside:
                     if not sign
                     else np.asarray(own - np.array([0.0, steps or half_size + 0.4, 0.0]))
                 )
+            if relation in ABOVE and sign and "sides" in at.words:
+                there = host.towards(way.direction)
+                there[1] = float(own[1]) + (steps or half_size + 0.8)
+                return np.asarray(there)
             if relation in ABOVE:
                 return (
                     host.ahead(own[0], own[1] + (steps or half_size + 0.8))
@@ -224,6 +233,12 @@ class Beside:
             if relation == "in front of":
                 return np.asarray(middle + np.array([0.0, 0.0, 2.0]))
         return None
+
+
+def _behind(x: float, z: float) -> tuple[float, float]:
+    """A place anywhere about a part brought to its back half: what is ahead comes to its sides."""
+    angle, wide = 0.5 * math.atan2(x, -z), math.hypot(x, z)
+    return wide * math.sin(angle), -wide * math.cos(angle)
 
 
 def _on_end(host: Host, point: Array) -> bool:

@@ -37,6 +37,12 @@ DARK: Final[RGB] = (40, 30, 26)
 _SEEN: Final = {name: re.compile(words) for name, words in WORDS.items()}
 
 
+_WORKED: Final = re.compile(
+    r"^(?!.*\b(?:embroider|knot|sew|felt|glue|paint)).*\bdots? (?:is|are)\b.*\b(?:worked|sts?|stitches|rounds?|rnds?)\b"
+)
+"""Dots that are worked into the rounds in another yarn, and not drawn on them."""
+
+
 def motifs(text: str) -> list[str]:
     """What of :data:`WORDS` a sentence (in small letters) speaks of, in its order; places it is beside left out."""
     text = re.sub(r"\bbetween (?:the )?(?:ears?|head|neck) and (?:the )?(?:nose|mouth|eyes?)\b", " ", text)
@@ -54,6 +60,8 @@ def motifs(text: str) -> list[str]:
         names.remove("mouth")
     if len(names) > 1 and "cheeks" in names and "cheek" not in plain:
         names.remove("cheeks")  # "Use the blush to sew a small nose": a yarn
+    if "dots" in names and _WORKED.search(text):
+        names.remove("dots")
     if len(names) > 1 and "dots" in names:
         names.remove("dots")
     return names

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -13,11 +13,12 @@ from tambour.core.check import Array
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.places import face
 from tambour.crochet.places.hairdo import before, hairs, mane
-from tambour.crochet.places.hear import Feature
+from tambour.crochet.places.hear import Feature, Put
 from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.put import Putter
 from tambour.crochet.places.said import size
-from tambour.crochet.places.stand import Host, numbers_of
+from tambour.crochet.places.snouts import BROW, CHEEKS
+from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import Way, usual
 
 _FACE: Final = 16.0
@@ -32,26 +33,19 @@ _CLEAR: Final = 0.6
 """Eyes stay so many stitches clear of a snout, and are moved up by as many at a time."""
 _AHEAD: Final = -0.7
 """A head that is worked from its nose runs back from it by so much, as a cosine."""
-_FACE_FIRST: Final = re.compile(
-    r"\b(?:beg\w*|start\w*|work\w*)\.?\s+(?:at|from|in)\s+(?:the\s+)?(?:cent(?:er|re)|middle) of (?:the )?face\b"
-)
-"""That a head is worked from the middle of its face."""
 _UNDER_NOSE: Final = 0.4
 """How far below its middle the mouth of such a head is, in halves of its height."""
 _NOSE: Final = 1.2
 """How far below the eyes' lower edge a nose is, in stitches."""
 _CROWN: Final = 3  # rounds of a head that bear no nose
-_SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
-"""A snout ends in this first part of a head's rounds, where they have more than the first of these shares of the widest one's
-stitches; one that is blunt at the second of them, or behind this part of the rounds."""
 _BELOW, _FAN, _STANDS = 0.2, (0.45, 0.8), 0.7
 """Whiskers stay so many stitches below the eyes; how far apart they begin and end, in rounds; a head stands whose axis is so upright."""
-_BROW, _CHEEKS = np.array([0.75, 0.45, 0.0]), np.array([0.8, -0.25, 0.0])
-"""Where eyes are about a head that lies, seen from its nose, and what is below them."""
 _ONE: Final = 0.5
 """A pair that is nearer to each other, in stitches, lies in one place, and its distance says nothing of its size."""
 _BESIDE_EACH: Final = 0.8
 """Two cheeks are no wider than this share of the way from the one to the other."""
+_WIDELY: Final = 0.2
+"""How far off the middle of the front eyes are at the most that make room for a beak, as a share of the round."""
 _TINY: Final = 0.7
 """How large something is that is called tiny, little or small."""
 _LED: Final = 400
@@ -64,6 +58,7 @@ class Facer(Putter):
     """Puts eyes, noses, smiles on a toy's parts."""
 
     asleep = False  # its lids are down, and its lashes hang
+    snouts: Sequence[Put] = ()  # those that are said to be between the eyes
     pupil = 0.0  # half the width, in stitches, of the eyes that are being put
 
     def eyes(self, f: Feature) -> list[Finish]:
@@ -107,6 +102,8 @@ class Facer(Putter):
             return None
         hosts = [self.work.host((whites[0], k)) for k in (1, 2)]
         spots = [Spot(h.name, float(h.low - 1), None, f.span) for h in hosts]
+        if all(self.work.spots.in_rows[h.part] for h in hosts):
+            spots = [replace(h.near(h.box[0]), span=f.span) for h in hosts]
         if not all(map(self.stand.there, spots)):
             return None
         wide = 2.0 * float(max(hosts[0].box[1][0], hosts[0].box[1][2])) * self.work.stitch
@@ -141,38 +138,18 @@ class Facer(Putter):
             snout = self._ahead(host) and not self._begins_at_face(host)
             if point is None and snout and not f.where.words - {"sides", "front"}:
                 level = self._behind_snout(host)
-                stitch = host.in_round(level, _CHEEKS if "cheek" in f.what else _BROW)
+                stitch = host.in_round(level, CHEEKS if "cheek" in f.what else BROW)
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
+        if apart is None and (between := self._between_eyes(f)) > off:
+            off = min(between, _WIDELY * count)
         return [host.within(Spot(host.name, level, round(middle + s * off, 3), f.span)) for s in (-1.0, 1.0)]
 
-    def _ahead(self, host: Host) -> bool:
-        """Whether a part is a head, or head and body, that is worked from its nose and looks ahead."""
-        made = next(p for p in self.work.parts if host.name in {p.copy(k) for k in range(1, p.copies + 1)})
-        lies = self._lies((self.work.main, 1)) and not self._swims() and (made == self.work.main or made.kind == "head")
-        return (lies and host.axis[2] < -0.7) or self.work.nose_first(made)
-
-    def _begins_at_face(self, host: Host) -> bool:
-        """Whether a head is worked from the middle of its face, a disc that bears the eyes, and not from a nose."""
-        made = next(p for p in self.work.parts if host.name in {p.copy(k) for k in range(1, p.copies + 1)})
-        part = next(p for p in self.work.built.pattern.parts if p.name == made.name)
-        first = part.lines[0].span.start if part.lines else part.span.end
-        return _FACE_FIRST.search(self.work.text, part.span.start, max(first, part.span.start) + 60) is not None
-
-    def _swims(self) -> bool:
-        return any(p.kind in ("fluke", "fin") for p in self.work.parts)
-
-    def _behind_snout(self, host: Host) -> float:
-        """The round in which a snout becomes the head: the first that is nearly as wide as the widest, and stays so."""
-        low, high = numbers_of(self.stand.spots, host.part)
-        counts = [len(ring) for _, ring in host.levels]
-        some = counts[: max(1, math.ceil(_SNOUT * len(counts)))]
-        ends = [max((k + 1 for k, c in enumerate(some) if c < share * max(counts)), default=0) for share in _FULL]
-        level = ends[0]
-        if level <= 0.2 * (high - low + 1):
-            level = max(level, min(ends[1], round(_BLUNT * (high - low + 1))))  # a blunt one has its eyes at its sides
-        return float(host.levels[min(level, len(counts) - 1)][0])
+    def _between_eyes(self, f: Feature) -> float:
+        """How far off the middle eyes are, or more, that leave room for a beak or a snout that is said to be between them; 0 where none is."""
+        wide = [self._bulge(p.copies[0]) for p in self.snouts] if f.what == "safety eyes" else []
+        return max(wide) + self.pupil + _CLEAR if wide else 0.0
 
     def _off_the_snout(self, f: Feature, host: Host, point: Array) -> Array:
         """An eye's place moved up its head until no snout covers it."""

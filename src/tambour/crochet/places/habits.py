@@ -100,6 +100,11 @@ _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         rf"\b(?:along|around|on|at|by)\s+(?:the\s+|its\s+)?(?:{_OWN_EDGES},?\s+and\s+(?:the\s+)?{_OWN_EDGES}|(?:three|3|two|2)\s+(?:of\s+its\s+)?(?:sides|edges))\b(?!\s+of)",
         "",
     ),
+    # a round of what is sewn, that is folded first
+    (
+        r"^\W*(?:fold|roll|turn|flatten)\w*\s+(?:the\s+)?(?:rounds?|rnds?|rows?)\s+\d+\b[^.;]*?\b(?:and|then)\s+(?=(?:sew|attach|stitch|pin)\b)",
+        "",
+    ),
     # pairs told one after the other
     (
         rf"\b(?:the\s+)?(?:first|front)\s+(?:pair\s+(?:of\s+)?)?(\w+\s+)?(?:at|in|on|to)\s+{_R},?\s*(?:and\s+)?(?:the\s+)?(?:second|middle|next|hind|back)\s+(?:pair\s*(?:of\s+)?)?(?:\w+\s+)?(?:at|in|on|to)\s+{_R}"

@@ -16,9 +16,9 @@ from tambour.crochet.finish.capped import rim_on
 from tambour.crochet.finish.joining import BODY, GATHER
 from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
-from tambour.crochet.places.beside import Beside
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.names import one
+from tambour.crochet.places.snouts import Snouts
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import SPREAD, Way
 
@@ -56,11 +56,17 @@ _FIRST_OF: Final = re.compile(
 """The end that a part was begun at, where that is sewn on: "whipstitch the first round of each wing to the body"."""
 _RING: Final = 4
 """So many stitches, or more, make a round that something is sewn by."""
+_AT_SHOULDERS: Final = frozenset(("arm", "wing", "fin"))
+"""Kinds of limbs that are sewn to the sides of a body that stands."""
+_STANDS: Final = 0.7
+"""A body stands whose axis is so upright, as a cosine."""
+_NARROWS: Final = 0.75
+"""A body narrows to its neck that ends there with less than this share of its widest round."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 
 
-class Holder(Beside):
+class Holder(Snouts):
     """Knows how parts are held where they are put."""
 
     def _flat(self, copy: Copy, way: Way) -> bool:
@@ -262,6 +268,38 @@ class Holder(Beside):
             return float(self.stand.frame(Spot(placed.name, level, placed.middle(level))).normals[0][2])
 
         return max((record, turned), key=looks)
+
+    def _brow(self, put: Put, host: Host) -> float | None:
+        """The round of patches about the eyes on a head that looks ahead: where its eyes would be, and not on its snout; None for all else."""
+        snout = put.kind == "eye" and len(put.copies) == 2 and not put.where.beside and self._ahead(host)
+        return self._behind_snout(host) if snout and not self._begins_at_face(host) else None
+
+    def _on_wall(self, copy: Copy, host: Host, point: Array) -> Array:
+        """A place of a patch that lies on the front of a standing body, moved up or down until it lies on its wall, and reaches neither round
+        its neck nor under it; a patch that is higher lies in the middle."""
+        own, upright = self.work.spots.parts[copy[0].copy(copy[1])], abs(float(host.axis[1])) >= _STANDS
+        if (
+            not (self.work.spots.in_rows[own] and copy[0].kind == "belly" and upright)
+            or self.work.spots.in_rows[host.part]
+        ):
+            return point
+        wide = max(len(ring) for _, ring in host.levels)
+        wall = [float(ring[:, 1].mean()) for _, ring in host.levels if len(ring) >= _NARROWS * wide]
+        half = min(0.5 * len(self.work.host(copy).levels), 0.5 * (max(wall) - min(wall)))
+        high = min(max(float(point[1]), min(wall) + half), max(wall) - half)
+        return host.ahead(float(point[0]), high)
+
+    def _shoulder(self, put: Put, host: Host, way: Way) -> float | None:
+        """The round at which arms and wings are as high on a standing body as on a ball, though it narrows to its neck like a pear, whose
+        nearest fabric is far below; None for other parts, and on other bodies."""
+        if put.kind not in _AT_SHOULDERS or len(put.copies) > 2 or abs(float(host.axis[1])) < _STANDS:
+            return None
+        upper = host.levels if host.levels[-1][1][:, 1].mean() > host.levels[0][1][:, 1].mean() else host.levels[::-1]
+        wide = max(len(ring) for _, ring in host.levels)
+        if self.work.spots.in_rows[host.part] or len(upper[-1][1]) > _NARROWS * wide or way.at[1] <= 0.0:
+            return None
+        height = float(host.towards(way.direction)[1])
+        return float(min(host.levels, key=lambda level: abs(float(level[1][:, 1].mean()) - height))[0])
 
     def _strip(self, copy: Copy) -> bool:
         """Whether a piece is worked in a few long rows."""

@@ -124,7 +124,10 @@ class Hosts(Likely):
         above = (head if head is not None else self.main, 1)
         if kind in LIMBS and onto.kind in _PATCHES:
             p.host = above if kind in ("ear", "horn") else (self.main, 1)
-            p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
+            upper = frozenset(("upper",)) if p.where.words & {"top", "upper"} else frozenset[str]()
+            p.where = replace(
+                p.where, rounds=None, stitch=None, beside=(), words=upper
+            )  # near the top of a belly is high on its body
         elif kind == "beard" and onto.kind in ("beak", "nose", "muzzle"):  # a wattle hangs below it
             p.where = replace(p.where, beside=(("below", onto.kind, None),), words=frozenset())
             p.host = above

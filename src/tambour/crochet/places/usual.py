@@ -107,7 +107,7 @@ _SINGLE: Final[dict[str, Way]] = {
     "wing": Way((0.0, 0.3, -1.0), None, _ACROSS, True),
     "fin": Way((0.0, 1.0, -0.1), (0.0, 1.0, -0.25), _ALONG, True),
     "spike": Way((0.0, 0.75, -0.65), (0.0, 0.8, -0.6), (0.0, 0.6, 0.8), True),
-    "belly": Way((0.0, -0.12, 1.0), None),
+    "belly": Way((0.0, 0.05, 1.0), None),
     "spot": Way((0.5, 0.3, 0.8), None),
     "collar": Way(_UP, _UP, flat=False),
     "shell": Way((0.0, 0.1, -1.0), None, flat=False),
@@ -191,6 +191,8 @@ def usual(
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(0.85, 0.5, 0.0), line=(0.5, -0.85, 0.0))
         elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe"}:
             pairs = replace(pairs, at=(0.85, 0.5, pairs.at[2]), axis=(1.0, -0.15, 0.0), line=_ALONG)
+        if kind == "fin" and words & {"flipper"} and not lying:  # a penguin's, where arms are
+            pairs = replace(pairs, at=(0.9, 0.35, 0.05))
         if kind == "wing" and words & SPREAD:
             pairs = replace(pairs, at=(0.55, 0.35, -0.75), axis=(1.0, 0.45, -0.1), line=_UP)
         if kind == "leg" and long and words & DOLLS and not lying:

@@ -8,7 +8,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.places import face
-from tambour.crochet.places.assembling import assembling
+from tambour.crochet.places.assembling import TO, assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken, under
 from tambour.crochet.printed.assembly import Said, alike, eyes_meant
@@ -35,6 +35,13 @@ _INNER: Final = re.compile(
 )
 """What lies inside a toy, and is not seen."""
 _SEWS: Final = re.compile(r"\b(?:sew|attach|embroider|stitch)\w*\b", re.IGNORECASE)
+_SEWING: Final = ("sew", "attach", "stitch", "pin")
+_CLOSES: Final = re.compile(r"\b(?:closed|shut|close|together|tog|marker)\b")
+"""What is sewn up, and sewn to nothing else."""
+_BEARS: Final = frozenset(
+    ("head", "body", "face", "hat", "leg", "arm", "foot", "tail", "wing", "belly", "shell", "neck", "ear", "muzzle")
+)
+"""Kinds of parts that others are sewn to, also where they are written later."""
 _TELLS: Final = re.compile(r"\W*(?:I|I'm|I've|we|we've)\s", re.IGNORECASE)
 _YOUNG: Final = re.compile(
     r"\W*if\b.*\b(?:child|children|kids?|bab(?:y|ies)|infants?|toddlers?|under (?:3|three))\b",
@@ -118,10 +125,23 @@ def finishing(p: State, tokens: list[Token]) -> bool:
 
 
 def sews(p: State, tokens: list[Token]) -> bool:
-    """Whether what hands do while a round is worked sews another part on: "Sew on the snout, stuffing lightly as you work"."""
-    first = tokens[0].word in ("sew", "attach", "stitch", "pin")
+    """Whether what hands do while a round is worked, or behind its last, sews a part on: "Sew on the snout, stuffing lightly as you work", and the
+    part itself to another: "Fasten off. Sew Wings to sides of Body", "Using photograph as a guide, sew ears to head"."""
+    first = tokens[0].word in _SEWING
     named = _named(p, tokens[1:])
-    return first and named is not None and named is not p.parts[-1]
+    if first and named is not None and named is not p.parts[-1]:
+        return True
+    verb = next((k for k, t in enumerate(tokens) if t.word in _SEWING), None)
+    if verb is None:
+        return False
+    said = p.source.text.text[tokens[verb].start : tokens[-1].end].lower()
+    to = TO.search(said)
+    if to is None or _CLOSES.search(said):
+        return False
+    own = Made(p.parts[-1].name, 1)
+    others = {w for draft in p.parts[:-1] for w in Made(draft.name, 1).words} - set(own.words)
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", said[to.end() :])]
+    return any(w in others or kind_of(w) in _BEARS - set(own.kinds) for w in words)
 
 
 def eyed(tokens: list[Token]) -> bool:

@@ -1,0 +1,192 @@
+"""Where parts sit on a toy: by what is said behind a part's last round, at the shoulders of a pear, on the wall of a belly, about a snout."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.places.face import motifs
+from tambour.crochet.places.stand import Host, Stand, numbers_of
+from tambour.crochet.printed.pattern import read_printed
+
+BALL = """{0}
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-12: sc around (24)
+Rnd 13: (2 sc, dec) x 6 (18)
+Rnd 14: (sc, dec) x 6 (12)
+{1}
+"""
+PEAR = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnds 6-10: sc around (30)
+Rnd 11: (3 sc, dec) x 6 (24)
+Rnd 12: sc around (24)
+Rnd 13: (2 sc, dec) x 6 (18)
+Rnd 14: sc around (18)
+Rnd 15: (sc, dec) x 6 (12)
+Rnds 16-19: sc around (12)
+Stuff. Fasten off.
+
+"""
+LIMB = """{0} (make {2})
+Rnd 1: 6 sc in MR (6)
+Rnd 2: (sc, inc) x 3 (9)
+Rnds 3-8: sc around (9)
+{1}
+"""
+ROWS = """{0}
+Ch {2}.
+Row 1: sc in 2nd ch from hook and in each ch across, turn
+Rows 2-{3}: ch 1, sc in each st, turn
+{1}
+"""
+
+
+def placed(pattern) -> dict[str, Placed]:
+    return {r.part: r for r in pattern.finish if isinstance(r, Placed)}
+
+
+def at(pattern, record):
+    """The point of a spot before anything settles, of the whole part's height 0 (feet) to 1; and x, z."""
+    built = build(pattern)
+    spots = Spots(built)
+    host = Host(Stand(spots), record.spot.part, *numbers_of(spots, spots.parts[record.spot.part]))
+    middle, half = host.box
+    point = host.stand.frame(record.spot).points[0]
+    return (point - middle) / half
+
+
+@pytest.mark.parametrize(
+    ("end", "rounds"),
+    [
+        ("Rnd 15: dec x 6 (6). Fasten off. Sew the crest to the front of the body at Rnd 8.", 8),
+        (
+            "Rnd 15: dec x 6 (6). Fasten off, leaving a tail. Using the picture as a guide, sew the crest to the body at Rnd 9.",
+            9,
+        ),
+        ("Rnd 15: dec x 6 (6). Fasten off. Fold Rnd 3 back and sew the crest to the body at Rnd 7.", 7),
+    ],
+)
+def test_what_stands_behind_the_last_round_sews_the_part_itself_on(end, rounds):
+    text = f"Newt\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{BALL.format('CREST', end)}"
+    pattern = read_printed(Text(text, "newt.txt"))
+    assert placed(pattern)["CREST"].spot.round == rounds
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "Fasten off. Sew the edges closed.",
+        "Rnd 9: sc around (9). Sew the last round together.",
+        "Pin it flat and stitch it shut.",
+    ],
+)
+def test_what_is_sewn_shut_is_sewn_nowhere(end):
+    text = f"Newt\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{LIMB.format('ARMS', end, 2)}"
+    pattern = read_printed(Text(text, "newt.txt"))
+    assert any(w.message.startswith("guessed") and "ARMS" in w.message for w in pattern.warnings)
+
+
+def test_arms_of_a_body_that_narrows_to_its_neck_are_high():
+    """Near its lower end such a body is widest, and its fabric there nearest to where arms are on a ball."""
+    wide = PEAR.replace("Rnds 6-10: sc around (30)", "Rnds 6-9: sc around (30)").split("Rnd 11")[0] + (
+        "Rnd 10: (3 sc, dec) x 6 (24)\nRnds 11-12: sc around (24)\nRnd 13: (2 sc, dec) x 6 (18)\nRnds 14-15: sc around (18)\n"
+        "Rnd 16: (sc, dec) x 6 (12)\nRnds 17-18: sc around (12)\nStuff. Fasten off.\n\n"
+    )
+    text = f"Bear\n\n{wide}{BALL.format('HEAD', 'Stuff. Fasten off.')}{LIMB.format('ARMS', 'Fasten off.', 2)}Sew head to body. Sew arms to body.\n"
+    pattern = read_printed(Text(text, "bear.txt"))
+    assert at(pattern, placed(pattern)["ARMS.1"])[1] > 0.3
+
+
+def test_a_heart_on_the_chest_leaves_the_arms_their_place():
+    heart = ROWS.format("HEART", "Fasten off. Sew the heart to the body.", 13, 8)
+    with_it, without = (
+        read_printed(
+            Text(
+                f"Bear\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{BALL.format('HEAD', 'Stuff. Fasten off.')}{more}"
+                f"{LIMB.format('ARMS', 'Fasten off.', 2)}Sew head to body. Sew arms to body.\n",
+                "bear.txt",
+            )
+        )
+        for more in (heart, "")
+    )
+    assert [placed(with_it)[f"ARMS.{k}"].spot for k in (1, 2)] == [placed(without)[f"ARMS.{k}"].spot for k in (1, 2)]
+
+
+def test_a_tall_belly_lies_on_the_wall_and_is_not_stuffed():
+    body = PEAR.replace("Rnds 6-10", "Rnds 6-25").replace("Rnd 11:", "Rnd 26:").replace("Rnd 12:", "Rnd 27:").replace("Rnd 13:", "Rnd 28:").replace("Rnd 14:", "Rnd 29:").replace("Rnd 15:", "Rnd 30:").replace("Rnds 16-19", "Rnds 31-36")  # fmt: skip
+    text = (
+        f"Bird\n\n{body}{BALL.format('HEAD', 'Stuff. Fasten off.')}{ROWS.format('CHEST PIECE', 'Fasten off.', 11, 18)}"
+        "Sew head to body. Sew chest piece to body.\n"
+    )
+    pattern = read_printed(Text(text, "bird.txt"))
+    chest = placed(pattern)["CHEST"]
+    assert next(p for p in pattern.parts if p.name == "CHEST").stuffing == 0.0
+    assert 13 <= chest.spot.round <= 17  # its 18 rows reach from about the 5th round to the 25th, where the wall ends
+
+
+def test_a_tail_in_the_middle_of_the_back_is_low():
+    tails = [
+        placed(
+            read_printed(
+                Text(
+                    f"Fox\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{BALL.format('HEAD', 'Stuff. Fasten off.')}{LIMB.format('TAIL', 'Fasten off.', 1)}Sew head to body. {said}\n",
+                    "fox.txt",
+                )
+            )
+        )["TAIL"]
+        for said in ("Sew the tail to the back of the body.", "Sew the tail to the back of the body at center back.")
+    ]
+    assert tails[0].spot.round == tails[1].spot.round
+
+
+def test_eyes_make_room_for_a_beak_between_them():
+    beak = "BEAK\nCh 16, join with sl st to form a ring.\nRnd 1: sc in each ch around (16)\nRnd 2: sc around (16)\nRnd 3: (2 sc, dec) x 4 (12)\nRnd 4: dec x 6 (6)\nStuff. Fasten off.\n\n"
+    wide = BALL.replace("Rnds 5-12: sc around (24)", "Rnd 5: (3 sc, inc) x 6 (30)\nRnd 6: (4 sc, inc) x 6 (36)\nRnd 7: (5 sc, inc) x 6 (42)\nRnds 8-12: sc around (42)\nRnd 13: (5 sc, dec) x 6 (36)\nRnd 14: (4 sc, dec) x 6 (30)\nRnd 15: (3 sc, dec) x 6 (24)").replace("Rnd 13: (2 sc", "Rnd 16: (2 sc").replace("Rnd 14: (sc", "Rnd 17: (sc")  # fmt: skip
+    text = f"Penguin\n\n{wide.format('HEAD', 'Stuff. Fasten off.')}{beak}Put 12 mm safety eyes between rounds 9 and 10. Sew the beak to the head, centered between the eyes.\n"
+    pattern = read_printed(Text(text, "penguin.txt"))
+    left, right = (r for r in pattern.finish if isinstance(r, Eye))
+    assert abs(left.spot.stitch - right.spot.stitch) >= 8.0
+
+
+def test_eyes_go_on_patches_in_rows_and_those_behind_the_snout():
+    head = "HEAD\nBegin at nose.\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-6: sc around (12)\nRnd 7: (sc, inc) x 6 (18)\nRnd 8: (2 sc, inc) x 6 (24)\nRnd 9: (3 sc, inc) x 6 (30)\nRnds 10-16: sc around (30)\nRnd 17: (3 sc, dec) x 6 (24)\nRnd 18: (2 sc, dec) x 6 (18)\nRnd 19: (sc, dec) x 6 (12)\nRnd 20: dec x 6 (6)\nFasten off.\n\n"
+    text = (
+        f"Badger\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{head}{ROWS.format('EYE PATCHES (make 2)', 'Fasten off.', 6, 4)}"
+        "Sew head to body. Attach 8 mm safety eyes to the eye patches. Sew the eye patches to the front of the head.\n"
+    )
+    pattern = read_printed(Text(text, "badger.txt"))
+    eyes = [r for r in pattern.finish if isinstance(r, Eye)]
+    assert {e.spot.part for e in eyes} == {"EYE PATCHES.1", "EYE PATCHES.2"}
+    assert min(r.spot.round for part, r in placed(pattern).items() if part.startswith("EYE")) >= 7
+
+
+def test_flippers_near_the_top_of_a_chest_are_where_arms_are():
+    text = (
+        f"Penguin\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{BALL.format('HEAD', 'Stuff. Fasten off.')}{ROWS.format('CHEST PIECE', 'Fasten off.', 7, 6)}"
+        f"{LIMB.format('FLIPPERS', 'Fasten off.', 2)}Sew head to body. Sew flippers to the side edges near the top of the chest piece. Sew chest piece to body.\n"
+    )
+    pattern = read_printed(Text(text, "penguin.txt"))
+    record = placed(pattern)["FLIPPERS.1"]
+    assert record.spot.part == "BODY" and at(pattern, record)[1] > 0.3
+
+
+def test_strips_on_the_back_of_a_head_leave_its_face_free():
+    text = f"Doll\n\n{BALL.format('HEAD', 'Stuff. Fasten off.')}{ROWS.format('STRIPS (make 5)', 'Fasten off.', 5, 12)}Sew the strips to the back of the head at Rnd 7.\n"
+    pattern = read_printed(Text(text, "doll.txt"))
+    points = np.array([at(pattern, r) for part, r in placed(pattern).items() if part.startswith("STRIPS")])
+    assert len(points) == 5 and points[:, 2].max() < 0.5
+
+
+def test_dots_that_are_worked_in_are_not_drawn():
+    assert motifs("each polka dot is worked over 3 rounds") == motifs("the dots are 2 sts wide") == []
+    assert motifs("embroider dots that are 2 sts wide") == ["dots"]
