@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import gc
 import re
 import textwrap
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
-from tambour.core.errors import Text
+from tambour.core.errors import TambourError, Text
+from tambour.crochet.places import habits
+from tambour.crochet.printed import doubled, idioms, pasted, risings
 from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.tokens import rows
+from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.words.sayings import needed
 
 BEAR = """Bertie Bear
 
@@ -147,3 +154,70 @@ def test_other_words_are_the_same_work(way: str, plain) -> None:
     text = WAYS[way](BEAR)
     assert text != BEAR
     assert work(text) == plain
+
+
+@pytest.mark.parametrize(
+    ("said", "letters"),
+    [
+        (r"(?<!\S)(?:a )?single strands? of(?!\S)", {"single strand"}),
+        (r"(inc|dec|increase)(?: 1)? \d+", {"inc", "dec", "increase"}),
+        (r"(?:back )?(?:walls?|threads?) (?=of)", {"wall", "thread"}),
+        (r"pull(?:s|ed)?[ -]+the", {"pull"}),
+        (r"sc2?tog x{2} \(", {"tog "}),
+        (r"\d+ (?:x|\w+)(?: times)?", {" "}),
+        (r"(?:a|b?)", {""}),
+        (r"one|two", {"one", "two"}),
+        (r"(?P<b>\( )?last(?(b) \))", {""}),
+        (r"[a(]?none\.", {"none."}),
+    ],
+)
+def test_the_letters_that_an_expression_needs(said: str, letters: set[str]) -> None:
+    assert set(needed(said)) == letters
+
+
+def test_no_saying_is_passed_over_that_a_line_has() -> None:
+    # The phrasings that the house's tests hold, cut where strings begin and end.
+    texts = [
+        re.sub(r"\\n|[\"']", "\n", path.read_text(encoding="utf-8"))
+        for path in Path(__file__).parent.glob("test_crochet_*.py")
+    ]
+    lines = {" ".join(t.word for t in row.tokens) for text in texts for row in rows(text)}
+    found = 0
+    for sayings in (
+        idioms._IN_ROUNDS,
+        idioms._IN_ROWS,
+        doubled._SAYINGS,
+        pasted._SAYINGS,
+        risings._RULES,
+        habits._RULES,
+    ):
+        for line in lines:
+            likely = sayings.likely(line)
+            for k, (said, _) in enumerate(sayings.each):
+                if said.search(line):
+                    found += 1
+                    assert likely >> k & 1, (line, said.pattern)
+    assert found > 200
+
+
+def test_a_word_that_means_something_else_is_read_anew() -> None:
+    words = vocabulary("us")
+    line, other = rows("Rnd 2: 3 knob, 2 knob4, sc in next st.\nRnd 3: sc around.")
+    before, kept = words.read(line.tokens), words.read(other.tokens)
+    assert not any(t.value == "bobble" for t in before)
+    words.define("knob", "bobble")
+    assert [t.word for t in words.read(line.tokens) if t.value == "bobble"] == ["knob", "knob"]
+    assert all(a is b for a, b in zip(words.read(other.tokens), kept, strict=True))
+
+
+@pytest.mark.parametrize("on", [True, False])
+def test_what_python_collects_is_as_it_was(on: bool) -> None:
+    try:
+        (gc.enable if on else gc.disable)()
+        read(Text(BEAR, "bear.txt"))
+        assert gc.isenabled() is on
+        with pytest.raises(TambourError):
+            read(Text("A letter about the weather, and nothing else.\n" * 3, "letter.txt"))
+        assert gc.isenabled() is on
+    finally:
+        gc.enable()

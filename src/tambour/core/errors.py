@@ -221,8 +221,8 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     """
     import difflib
 
-    alike = [
-        k for k in known if 2 * sum(map(k.__contains__, word)) >= _NEAR * (len(word) + len(k))
-    ]  # no other can be near
+    n = len(word)
+    long = {k: 2 * min(n, k) >= _NEAR * (n + k) for k in range(4 * n + 4)}  # no other can be near
+    alike = [k for k in known if long.get(len(k)) and 2 * sum(map(k.__contains__, word)) >= _NEAR * (n + len(k))]
     near = difflib.get_close_matches(word, alike, n=2, cutoff=_NEAR)
     return "did you mean " + " or ".join(f'"{w}"' for w in near) + "?" if near else ""

@@ -115,6 +115,7 @@ class _Worker:
         self.seams: dict[tuple[str, ...], Span] = {}
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
+        self.done: dict[int, tuple[Action, Done]] = {}  # what is logged of actions that were done before
         self.more = 0  # times that the last of them was done again since
         self.worked: list[Worked] = []
         self.fresh = 0  # the first node of the row or round under way
@@ -317,9 +318,9 @@ class _Worker:
     def _step(self, nodes: int, own: tuple[int, Span] | None = None) -> None:
         """Stops a pattern that grows too large, before it does, at the count that is most to blame."""
         self.steps += 1
-        most = self.pattern.max_stitches
-        nodes += self.hook.hanging
-        if len(self.hook.parent) + nodes <= most and self.steps <= _IDLE * most + 1000:
+        hook, most = self.hook, self.pattern.max_stitches
+        nodes += hook.hanging
+        if len(hook.parent) + nodes <= most and self.steps <= _IDLE * most + 1000:
             return
         numbers = [*self.numbers, own] if own else self.numbers
         worst = max(numbers, key=lambda n: n[0], default=None)
@@ -443,12 +444,15 @@ class _Worker:
                 self.sewn.append((pair[1], pair[0]))
 
     def _note(self, action: Action) -> None:
-        self.counts[action.name] = self.counts.get(action.name, 0) + action.times
-        last = self.log[-1]
-        if action.name not in RULES and last.what == action.name:
-            self.more += action.times
-        else:
-            self._tell(Done(action.name, action.times, action.numbers, action.labels, action.span))
+        name, times = action.name, action.times
+        self.counts[name] = self.counts.get(name, 0) + times
+        if self.log[-1].what == name and name not in RULES:
+            self.more += times
+            return
+        known = self.done.get(id(action))
+        if known is None:  # kept with its action, whose id nothing else can have then
+            known = self.done[id(action)] = action, Done(name, times, action.numbers, action.labels, action.span)
+        self._tell(known[1])
 
     def _tell(self, done: Done) -> None:
         """Logs what was done, when all of what was done before it is known."""

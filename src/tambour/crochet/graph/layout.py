@@ -60,7 +60,7 @@ def in_rows(graph: StitchGraph) -> Array:
     """Which parts (P,) are worked in rows: turned, and never joined to rounds, but for an edging round many rows. Slip stitches
     into the row below join nothing, where the piece is turned again and again."""
     of_join = graph.edges[graph.edge_kind == JOIN]
-    of_join = of_join[~_hanging(graph)[of_join[:, 0]]]  # slip stitches back along a strand join nothing
+    of_join = of_join[~_hanging(graph, of_join[:, 0])]  # slip stitches back along a strand join nothing
     closes = (graph.round[of_join[:, 0]] == graph.round[of_join[:, 1]]) & ~_along_chains(graph, of_join)
     levels = int(graph.round.max(initial=0)) + 2  # -1 is one
     of_round = graph.part.astype(np.int64) * levels + graph.round + 1
@@ -89,14 +89,14 @@ def _along_chains(graph: StitchGraph, of_join: Array) -> Array:
     return np.asarray(begun & np.isin(first, first[late]))
 
 
-def _hanging(graph: StitchGraph) -> Array:
-    """Which nodes (N,) are those of strands."""
+def _hanging(graph: StitchGraph, nodes: Array) -> Array:
+    """Which of the ``nodes`` (K,) are those of strands."""
+    if not len(nodes):
+        return np.zeros(0, bool)
     section = sections(graph)
-    starts = np.flatnonzero(np.diff(section, prepend=-1)).tolist()
-    found = np.zeros(len(graph), bool)
-    for a, b in zip(starts, [*starts[1:], len(graph)]):
-        found[a:b] = dangling.strung(graph, a, b)
-    return found
+    bounds = np.append(np.flatnonzero(np.diff(section, prepend=-1)), len(graph))
+    own, of = np.unique(section[nodes], return_inverse=True)
+    return np.array([dangling.strung(graph, int(bounds[k]), int(bounds[k + 1])) for k in own.tolist()])[of]
 
 
 def rounds(graph: StitchGraph, rest: Array) -> Array:

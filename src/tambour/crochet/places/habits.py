@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Final
 
 from tambour.crochet.words.numbers import QUANTITY, quantity
+from tambour.crochet.words.sayings import Sayings
 
 ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 ST: Final = r"(?:stitches|stitch|sts?\.?|sc|dc)"
@@ -117,21 +118,22 @@ _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     ),
 )
 """What is said of two, or of several pairs, and of how they lie."""
-_TWICE: Final = re.compile(
+_TWICE: Final = (
     rf"\b({QUANTITY})\s*{ST}\s+(?:away\s+|out\s+)?(?:(?:to|on|at)\s+)?(?:either|each|both)\s+sides?\s+(?:of|from)\s+(?:the\s+)?(?:very\s+)?"
     r"(?:middle|cent(?:er|re)|midline)(?:\s+(?:line|front|st(?:itch)?))?\b"
 )
 """So many to each side of the middle are twice as many apart."""
-_RULES: Final[tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...]] = (
-    (_TWICE, lambda m: f"{2 * quantity(m[1]):g} stitches apart"),
-    *((re.compile(said), read) for said, read in (*_ALIKE, *_PLAIN)),
+_RULES: Final = Sayings[str | Callable[[re.Match[str]], str]](
+    [(_TWICE, lambda m: f"{2 * quantity(m[1]):g} stitches apart"), *_ALIKE, *_PLAIN]
 )
 
 
 def plainly(text: str) -> str:
     """A sentence (in small letters) with its places and distances as :mod:`tambour.crochet.places.said` reads them."""
-    for said, read in _RULES:
-        text = said.sub(read, text)
+    likely = _RULES.likely(text)
+    for k, (said, read) in enumerate(_RULES.each):
+        if likely >> k & 1 and (put := said.sub(read, text)) != text:
+            text, likely = put, _RULES.likely(put)
     return text
 
 

@@ -73,26 +73,25 @@ def limbs(built: Built, spots: Spots) -> list[tuple[int, Array]]:
 def onward(built: Built) -> list[tuple[int, tuple[int, ...]]]:
     """Parts that go on from the edges of others: (part, those it goes on from); a body from two legs, or legs from a body."""
     spots = spots_in(built)
-    rims = {k: spots.rim(k) for k in range(len(built.graph.parts)) if not spots.in_rows[k]}
-    begun = {k: spots.begun(k) for k in rims}
+    round_ = [k for k in range(len(built.graph.parts)) if not spots.in_rows[k]]
     found: list[tuple[int, tuple[int, ...]]] = []
     taken: set[int] = set()
     legs = _legs(built, spots)
-    for k in rims:
+    for k in round_:
         section = built.pattern.parts[built.parts[k].section]
-        start = begun[k]
+        start = spots.begun(k)
         worn = Made(section.name, 1).worn and not _EDGING.search(section.name)
         if len(start) < _LEAST or built.parts[k].copy > 1 or worn:
             continue
-        before = [j for j in legs if built.parts[j].section < built.parts[k].section and len(rims.get(j, ())) >= 4]
+        before = [j for j in legs if built.parts[j].section < built.parts[k].section and len(spots.rim(j)) >= 4]
         if len(before) >= 2 and k not in legs and _LEGS.search(built.pattern.text.text):
             two = before[-2:]
-            if not taken & set(two) and _near(len(start), sum(len(rims[j]) for j in two)):
+            if not taken & set(two) and _near(len(start), sum(len(spots.rim(j)) for j in two)):
                 found.append((k, tuple(two)))
                 taken |= {k, *two}
                 continue
         base = spots.parts.get(f"{_EDGING.sub('', section.name)}.1") if _EDGING.search(section.name) else None
-        if base is not None and base not in taken and _near(len(start), len(rims.get(base, ()))):
+        if base is not None and base in round_ and base not in taken and _near(len(start), len(spots.rim(base))):
             found.append((k, (base,)))
             taken |= {k, base}
     return found

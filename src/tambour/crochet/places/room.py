@@ -77,10 +77,13 @@ _STREWN, _STREWN_TO, _GOLDEN = 6, 0.94, 0.618034
 def _meet(one: Seam, other: Seam) -> bool:
     if one.host != other.host or (one.kind != other.kind and {one.kind, other.kind} & _LAYERS):
         return False
-    apart = float(np.sqrt(((one.points[:, None] - other.points) ** 2).sum(2)).min())
+    off = (one.points[:, None] - other.points) ** 2
+    apart = math.sqrt(float((off[..., 0] + off[..., 1] + off[..., 2]).min()))  # summed so, since the axis is so short
+    if apart < _APART:
+        return True
     middles = float(np.sqrt(((one.points.mean(0) - other.points.mean(0)) ** 2).sum()))
     inside = (other.ring and middles < other.wide) or (one.ring and middles < one.wide)
-    return apart < _APART or (inside and float(one.normal @ other.normal) > SAME_SIDE)
+    return inside and float(one.normal @ other.normal) > SAME_SIDE
 
 
 def strewn(kind: str, many: int, host: Host) -> list[Spot]:

@@ -47,11 +47,16 @@ class Stand:
 
     def _turned(self, part: int) -> None:
         """Forgets how a part lay; of all parts where some are worked into each other."""
-        of = self.spots.built.graph.part[self.spots.built.graph.faces]
         for known in (self._frames, self._outward, self._hosts):
-            if (of != of[:, :1]).any():
+            if self._woven:
                 known.clear()
             known.pop(part, None)
+
+    @cached_property
+    def _woven(self) -> bool:
+        """Whether some parts are worked into each other."""
+        of = self.spots.built.graph.part[self.spots.built.graph.faces]
+        return bool((of != of[:, :1]).any())
 
     def there(self, spot: Spot) -> bool:
         """Whether a spot is on the fabric."""
@@ -231,10 +236,10 @@ class Host:
     def near(self, point: Array, fine: float = 0.5) -> Spot:
         """The place nearest to a point: its round and stitch, in halves, or in tenths (``fine`` = 0.1)."""
         rows = bool(self.stand.spots.in_rows[self.part])
-        rings, (start, way, begins) = (
+        rings, (threads, begins) = (
             (self.levels, self._threads) if fine >= 0.5 else (self._with_poles, self._threads_with_poles)
         )
-        i = int(np.minimum.reduceat(_away(start, way, point)[0], begins).argmin())
+        i = int(np.minimum.reduceat(_away(threads, point)[0], begins).argmin())
         level, (best, index), many = float(rings[i][0]), _on(rings[i][1], point, rows), len(rings[i][1])
         if fine >= 0.5:
             # Mirrored things stay mirrored: steps are counted from the middle of the front.
@@ -249,7 +254,7 @@ class Host:
                 one, other = np.repeat(one, len(rings[k + 1][1]), 0), rings[k + 1][1]
             tenths = np.arange(1, 10)[:, None, None] / 10
             between = (1 - tenths) * one + tenths * other
-            away, share = _away(*_threads(between, rows), point)
+            away, share = _away(_threads(between, rows), point)
             s = int(away.min(1).argmin())
             at = int(away[s].argmin())
             if away[s, at] < best:
@@ -259,11 +264,11 @@ class Host:
         return Spot(self.name, round(level, 1), stitch if rows or stitch < many + 1 else 1.0)
 
     @cached_property
-    def _threads(self) -> tuple[Array, Array, Array]:
+    def _threads(self) -> tuple[Threads, Array]:
         return _all_threads([ring for _, ring in self.levels], bool(self.stand.spots.in_rows[self.part]))
 
     @cached_property
-    def _threads_with_poles(self) -> tuple[Array, Array, Array]:
+    def _threads_with_poles(self) -> tuple[Threads, Array]:
         return _all_threads([ring for _, ring in self._with_poles], bool(self.stand.spots.in_rows[self.part]))
 
     @cached_property
@@ -292,29 +297,38 @@ class Host:
 
 def _on(ring: Array, point: Array, rows: bool) -> tuple[float, float]:
     """How near a point comes to a ring of stitches (n, 3), squared, and at which position from 0."""
-    off, share = _away(*_threads(ring, rows), point)
+    off, share = _away(_threads(ring, rows), point)
     k = int(off.argmin())
     return float(off[k]), k + float(share[k])
 
 
-def _threads(rings: Array, rows: bool) -> tuple[Array, Array]:
-    """From each stitch of rings (…, n, 3) to the next: where it starts and its way, (…, m, 3); of one stitch its place."""
+Threads = tuple[Array, Array, Array]
+"""From each stitch of rings (…, n, 3) to the next: where it starts and its way, (…, m, 3), and how long that is, squared."""
+
+
+def _threads(rings: Array, rows: bool) -> Threads:
+    """The threads of rings of one size; of one stitch its place."""
     n = rings.shape[-2]
-    after = rings if n == 1 else rings[..., 1:, :] if rows or n < 3 else np.roll(rings, -1, -2)
+    after = rings if n == 1 else rings[..., 1:, :]
+    if n > 2 and not rows:
+        after = np.concatenate([after, rings[..., :1, :]], -2)
     start = rings[..., : after.shape[-2], :]
-    return start, after - start
+    way = after - start
+    return start, way, np.maximum(_dot(way, way), 1e-12)
 
 
-def _all_threads(rings: list[Array], rows: bool) -> tuple[Array, Array, Array]:
+def _all_threads(rings: list[Array], rows: bool) -> tuple[Threads, Array]:
     """Those of rings of any size one behind the other, and where each ring's begin."""
-    pairs = [_threads(ring, rows) for ring in rings]
-    begins = np.cumsum([0, *(len(start) for start, _ in pairs[:-1])])
-    return np.concatenate([s for s, _ in pairs]), np.concatenate([w for _, w in pairs]), begins
+    each = [_threads(ring, rows) for ring in rings]
+    begins = np.cumsum([0, *(len(one[0]) for one in each[:-1])])
+    start, way, long = (np.concatenate(some) for some in zip(*each))
+    return (start, way, long), begins
 
 
-def _away(start: Array, way: Array, point: Array) -> tuple[Array, Array]:
+def _away(threads: Threads, point: Array) -> tuple[Array, Array]:
     """How far a point is from every thread, squared, and at which share of its way it is nearest."""
-    share = np.clip(_dot(point - start, way) / np.maximum(_dot(way, way), 1e-12), 0.0, 1.0)
+    start, way, long = threads
+    share = np.minimum(np.maximum(_dot(point - start, way) / long, 0.0), 1.0)
     off = start + share[..., None] * way - point
     return _dot(off, off), share
 

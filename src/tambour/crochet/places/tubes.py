@@ -78,13 +78,15 @@ def tubes(built: Built) -> list[tuple[int, int]]:
             continue
         across = folded or _ROWS.search(said) or (_SHORT.search(said) and len(rows) > widest)
         along = _SIDES.search(said) or _BACK.search(said) or _SHORT.search(said) or (hollow and not folded)
+        if not (across or along):
+            continue
         x = spots.layout[:, 0]
         if across:
             one, other = (r[np.argsort(x[r], kind="stable")] for r in (rows[0], rows[-1]))
             at = np.round(np.linspace(0, len(other) - 1, len(one))).astype(int)
             found += list(zip(other[at].tolist(), one.tolist()))
             found += _gathered(rows, x, said)
-        elif along:
+        else:
             found += [(int(r[x[r].argmin()]), int(r[x[r].argmax()])) for r in rows]
     return [(max(a, b), min(a, b)) for a, b in found if a != b]
 

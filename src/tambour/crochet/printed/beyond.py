@@ -14,7 +14,7 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.copied import copies_of, once_more
 from tambour.crochet.printed.cursor import Refers
-from tambour.crochet.printed.heads import STARS, heads
+from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.hued import dealt
 from tambour.crochet.printed.moved import along_edge
 from tambour.crochet.printed.naming import named
@@ -71,7 +71,7 @@ def _next_number(p: State) -> int:
     """The number of the round that comes next, 0 where none does."""
     for row in p.rows[p.row_at + 1 : p.row_at + 6]:
         if row.tokens:
-            found = heads(p.vocabulary.read(row.tokens))
+            found = p.vocabulary.heads(row.tokens)
             return found[0][1].numbers[0] if found and found[0][1].numbers else 0
     return 0
 

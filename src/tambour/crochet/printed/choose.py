@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -48,6 +50,24 @@ def read(
 
     Raises TambourError with every problem of the text, or with one line when it holds no instructions.
     """
+    with _uncollected():
+        return _read(text, max_stitches, strict, high, size)
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Python's search for values that hold each other rests meanwhile, where it runs: reading makes many small values, few
+    of which do, and it would go through all of them again and again."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
+
+
+def _read(text: Text, max_stitches: int, strict: bool, high: Height | None, size: str | None) -> Pattern:
     if (said := ours(text.text)) != text.text:
         text = replace(text, text=said)
     known = restated(text, max_stitches=max_stitches, strict=strict)

@@ -101,8 +101,10 @@ def crocheted_in(p: State, draft: Draft, tokens: list[Token], span: Span) -> tup
             tokens[0].start, span.end
         )  # "Round 7 - add arms: 2 sc, 2 sc through arm and body": its title holds none
         low = text[span.start : span.end]
+    said = low.lower()
     hosts = tuple(w for w in re.findall(r"[^\W\d_]+", draft.name.lower()) if one(w) not in nouns and len(w) > 2)
-    behind, before = _wordings(nouns, hosts)
+    # Of names that do not stand here nothing is said; without them most rounds have one of a few expressions in common.
+    behind, before = _wordings(tuple(w for w in nouns if w in said), tuple(w for w in hosts if w in said))
     for pattern, leads in ((behind, False), (before, True)):
         for m in pattern.finditer(low):
             at = Span(span.start + m.start(), span.start + m.end())

@@ -33,13 +33,13 @@ class Cursor:
 
     def key(self, *names: str, ahead: int = 0) -> bool:
         """Whether the token there is one of these concepts."""
-        token = self.look(ahead)
-        return token is not None and token.kind == "key" and token.value in names
+        at, tokens = self.at + ahead, self.tokens  # as look, which a call would cost
+        return 0 <= at < len(tokens) and tokens[at].kind == "key" and tokens[at].value in names
 
     def mark(self, *words: str, ahead: int = 0) -> bool:
         """Whether the token there is one of these marks."""
-        token = self.look(ahead)
-        return token is not None and token.kind == "mark" and token.word in words
+        at, tokens = self.at + ahead, self.tokens  # as look, which a call would cost
+        return 0 <= at < len(tokens) and tokens[at].kind == "mark" and tokens[at].word in words
 
     def kind(self, kind: str, ahead: int = 0) -> bool:
         """Whether the token there is of this kind."""

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row
 from tambour.crochet.words.numbers import NUMBER
+from tambour.crochet.words.sayings import Sayings
 
 _NTH: Final = r"\d+(?:st|nd|rd|th)|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
 _ST: Final = r"(?:sts?|stitch|stitches|m|sc|loops?)(?: \.(?= (?:[(\[=-]|together\b|tog\b|each\b|is\b|are\b)))?"
@@ -24,8 +24,8 @@ _TRIGGERS: Final = frozenset(
     + [f"x{n}" for n in range(2, 40)]
 )
 """Words one of which stands in whatever these concern."""
-_SAYINGS: Final = tuple(
-    (re.compile(rf"(?<!\S){said}(?!\S)"), meant)
+_SAYINGS: Final = Sayings(
+    (rf"(?<!\S){said}(?!\S)", meant)
     for said, meant in (
         (rf"(?:double|doubling) (?:up )?(?:every|each) ({_NTH}) {_ST}", "inc every {1} st"),
         (rf"(?:every|each) ({_NTH}) {_ST} (?:is |are |will be |should be |to be )?(?:doubled|increased)", "inc every {1} st"),

@@ -11,7 +11,6 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.colors import spare
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.doings import by_hand
-from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.notes import MODES, Heading, heading, plain_name
 from tambour.crochet.printed.shades import dyed, shade
 from tambour.crochet.printed.state import State
@@ -183,7 +182,7 @@ _ASKS: Final = ("color", "with", "begin", "join", "in")
 def _goes_on(p: State) -> bool:
     """Whether the next line begins a round that is not the first of a piece."""
     after = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
-    found = heads(p.vocabulary.read(after.tokens)) if after is not None else []
+    found = p.vocabulary.heads(after.tokens) if after is not None else []
     return bool(found) and found[0][1].numbers[:1] > (1,)
 
 

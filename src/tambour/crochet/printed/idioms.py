@@ -11,6 +11,7 @@ from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
+from tambour.crochet.words.sayings import Sayings
 
 _NTH: Final = r"\d+(?:st|nd|rd|th)|first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
 _CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
@@ -21,7 +22,7 @@ _UNLETTERED: Final = r"(?! (?:\(|:|mc|cc|[a-k])(?: |$))"
 _TURNED: Final = "(?:sc|single crochet)"
 
 _IDIOMS: Final = tuple(
-    (re.compile(rf"(?<!\S){said}(?!\S)"), meant)
+    (rf"(?<!\S){said}(?!\S)", meant)
     for said, meant in (
         (r"(?:held|used|taken|worked|working) (?:double|doubled)(?! crochet| treble|-)", "held together"),
         (r"(?:a |one |1 )?single strands? of", "yarn"),
@@ -107,7 +108,9 @@ _IDIOMS: Final = tuple(
         (r"(?:with|by) (?:a )?(?:connecting|half) (?:post|column|loop)", "with sl st"),
     )
 )  # fmt: skip
-_AS: Final = re.compile(rf"(?<!\S)as (?:the |for |in )?({_NTH})(?= [.,;]| ?$)")
+_AS: Final = rf"(?<!\S)as (?:the |for |in )?({_NTH})(?= [.,;]| ?$)"
+_IN_ROWS: Final = Sayings(((_AS, "as {1} row"), *_IDIOMS))
+_IN_ROUNDS: Final = Sayings(((_AS, "as {1} round"), *_IDIOMS))
 _ROWS: Final = frozenset(("row", "rows"))
 
 
@@ -156,5 +159,5 @@ def _row(row: Row) -> Row:
     tokens = row.tokens
     flat = any(t.word in _ROWS for t in tokens[:6])
     tokens = spaced(_numbered(tokens))
-    tokens = reworded(tokens, ((_AS, "as {1} row" if flat else "as {1} round"), *_IDIOMS))
+    tokens = reworded(tokens, _IN_ROWS if flat else _IN_ROUNDS)
     return row if tokens is row.tokens else replace(row, tokens=tokens)

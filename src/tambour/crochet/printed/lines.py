@@ -6,7 +6,6 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.cursor import OPEN, Cursor
-from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.opening import founding
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
@@ -32,15 +31,15 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
     if row.tokens[-1].word == "between":
         return True  # "between | Rows 8 and 9" begins no round
     if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", "for", "as", "from", "embroider", "using"):
-        return not heads(p.vocabulary.read(after.tokens))
+        return not p.vocabulary.heads(after.tokens)
     if row.end - row.start < p.long:
         return False
     first = p.source.text.text[after.tokens[0].start]
     if step(whole, after):
         return False
     listed = p.mode == "materials" and first.isdigit()  # "3.5 mm hook" is the next thing of a list
-    return ((first.islower() and not p.small) or (first.isdigit() and not listed)) and not heads(
-        p.vocabulary.read(after.tokens)
+    return ((first.islower() and not p.small) or (first.isdigit() and not listed)) and not p.vocabulary.heads(
+        after.tokens
     )
 
 
@@ -65,7 +64,12 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if not row.tokens:
         return None
     tokens = p.vocabulary.read(row.tokens)
-    if not tokens or heads(tokens) or turning(tokens) or (p.mode == "assembly" and step(p.source.text.text, row)):
+    if (
+        not tokens
+        or p.vocabulary.heads(row.tokens)
+        or turning(tokens)
+        or (p.mode == "assembly" and step(p.source.text.text, row))
+    ):
         return None
     if [t.kind for t in tokens] == ["stitch", "mark"] and tokens[1].word == ":":
         return None  # "Sc2tog:", above how it is made
@@ -113,7 +117,7 @@ def _heads_part(p: State, at: int) -> bool:
     words, below = p.rows[at].tokens, p.rows[at + 1].tokens if at + 1 < len(p.rows) else []
     if not 0 < len(words) <= _NAME or any(t.kind != "word" for t in words) or not words[0].capital:
         return False
-    found = heads(p.vocabulary.read(below)) if below else []
+    found = p.vocabulary.heads(below)
     return bool(found) and found[0][0] == 0 and found[0][1].numbers[:1] == (1,)
 
 

@@ -16,6 +16,7 @@ from tambour.crochet.printed.reckoned import after
 
 _ROUNDS = 60  # times that a part is worked to find the next fault
 _TRIES = 6  # times that the whole is
+_TOO_MANY: Final = "the pattern makes more than"
 _OFF = 1.8  # times the stated count that a mistake of the text is, at most
 
 
@@ -52,7 +53,7 @@ def mended(pattern: Pattern, told: Found) -> tuple[Pattern, Built | None]:
         parts = []
         for section in pattern.parts:
             if any(_inside(p.span, line) for p in wrong for line in section.lines):
-                section = _section(pattern, section, told)
+                section = _section(pattern, section, wrong, told)
             parts.append(section)
         if tuple(parts) == pattern.parts:
             break
@@ -180,22 +181,31 @@ def _names(items: tuple[Item, ...]) -> set[str]:
     return {n for i in items for n in (_names(i.items) if isinstance(i, Group) else {i.name})}
 
 
-def _section(pattern: Pattern, section: Section, told: Found) -> Section:
-    """One part with gaps where the hook fails."""
+def _section(pattern: Pattern, section: Section, wrong: list[Problem], told: Found) -> Section:
+    """One part with gaps where the hook fails; ``wrong`` : how it fails behind the parts before it."""
+    wrong = [p for p in wrong if any(_inside(p.span, line) for line in section.lines)]
+    if any(p.message.startswith(_TOO_MANY) for p in wrong):
+        wrong = _faults(pattern, section)  # without the stitches of those parts it gets further
     for _ in range(_ROUNDS):
-        try:
-            build(replace(pattern, parts=(replace(section, copies=1, copies_span=None),)))
-        except TambourError as error:
-            wrong = [p for p in error.problems if not p.warning and p.span is not None]
-            (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told)
-            if mended == section:  # what misled it is put right already
-                (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told, False)
-            if mended == section:
-                return section
-            section = mended
-            continue
-        break
+        if not wrong:
+            break
+        (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told)
+        if mended == section:  # what misled it is put right already
+            (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told, False)
+        if mended == section:
+            break
+        section = mended
+        wrong = _faults(pattern, section)
     return section
+
+
+def _faults(pattern: Pattern, section: Section) -> list[Problem]:
+    """How the hook fails in a part by itself."""
+    try:
+        build(replace(pattern, parts=(replace(section, copies=1, copies_span=None),)))
+    except TambourError as error:
+        return [p for p in error.problems if not p.warning and p.span is not None]
+    return []
 
 
 _EASED: Final = {
@@ -276,7 +286,7 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found, above: bool = Tru
             at = line.stated_span or line.span
             if "gap" in _names(line.items) or not count or not line.in_round:
                 said = f"{problem.message}: this round is left out"
-            elif problem.message.startswith("the pattern makes more than") or _misled(lines, line, told.sound):
+            elif problem.message.startswith(_TOO_MANY) or _misled(lines, line, told.sound):
                 said = f"{problem.message}: this round is taken to have {count}"
                 lines.append(replace(line, items=_gap(line, at, count, True), again=None))
                 told.doubts.append(replace(problem, message=said, warning=True))

@@ -9,7 +9,6 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.printed.cursor import Cursor
-from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.notes import Heading, copies_in, plain_name
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -94,7 +93,7 @@ def founds(p: State, at: int | None = None, near: int = _NEAR) -> bool:
         if row.tokens:
             first = p.firsts.get(row.start)  # lines are looked at more than once
             if first is None:
-                found = heads(p.vocabulary.read(row.tokens))
+                found = p.vocabulary.heads(row.tokens)
                 first = p.firsts[row.start] = any(head.numbers[:1] == (1,) for _, head in found)
             if first:
                 return True

@@ -34,10 +34,6 @@ class _Pass:
     any: frozenset[str] = frozenset()
     together: tuple[frozenset[str], ...] = ()
 
-    def concerns(self, said: set[str]) -> bool:
-        """Whether a line with such words and meanings may be changed."""
-        return not self.any.isdisjoint(said) or any(words <= said for words in self.together)
-
 
 def _all(*said: str) -> tuple[frozenset[str], ...]:
     return tuple(frozenset(one.split()) for one in said)
@@ -75,16 +71,35 @@ _PASSES: Final = (
     ),
 )
 
+_ANY: Final = {
+    word: sum(1 << k for k, one in enumerate(_PASSES) if word in one.any)
+    for word in frozenset().union(*(one.any for one in _PASSES))
+}
+"""Word → the passes that it concerns by itself, a bit each."""
+_TOGETHER: Final = tuple((words, 1 << k) for k, one in enumerate(_PASSES) for words in one.together)
+
 
 def plain(tokens: list[Token]) -> list[Token]:
     """Words as read, put as most patterns have them: "sc twice in next st" as "2 sc in next st"."""
-    said = _said(tokens)
-    for one in _PASSES:
-        if one.concerns(said):
+    concerned = _concerned(tokens)
+    for k, one in enumerate(_PASSES):
+        if concerned >> k & 1:
             made = one.put(tokens)
             if made != tokens:
-                tokens, said = made, _said(made)
+                tokens, concerned = made, _concerned(made)
     return tokens
+
+
+def _concerned(tokens: list[Token]) -> int:
+    """Which passes may change a line, a bit each."""
+    said = _said(tokens)
+    found = 0
+    for word in said:
+        found |= _ANY.get(word, 0)
+    for words, one in _TOGETHER:
+        if words <= said:
+            found |= one
+    return found
 
 
 def _said(tokens: list[Token]) -> set[str]:

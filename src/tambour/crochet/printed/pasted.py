@@ -14,6 +14,7 @@ from tambour.crochet.printed.reworded import reworded
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
 from tambour.crochet.words.numbers import NUMBERS
+from tambour.crochet.words.sayings import Sayings
 
 _LIKE: Final = str.maketrans(
     "асеорхуіѕјһԁкАВЕКМНОРСТХІЅЈУοΟυνκΑΒΕΖΗΙΚΜΝΡΤΥΧ", "aceopxyisjhdkABEKMHOPCTXISJYoOuvkABEZHIKMNPTYX"
@@ -46,8 +47,8 @@ _SAYING: Final = frozenset(
 _TIMES: Final = re.compile(r"[x*×]\d*$")
 """What says how often, behind what is repeated."""
 _LAST: Final = r"(?= ?[(\[=]| ?[.;]?$)"
-_SAYINGS: Final = tuple(
-    (re.compile(rf"(?<!\S){said}"), meant)
+_SAYINGS: Final = Sayings(
+    (rf"(?<!\S){said}", meant)
     for said, meant in (
         (r"with (?:a )?base of (\d+)(?!\S)", ", {1}"),
         (rf"(sc|hdc|dc) (?:to|until|till) (?:the |your )?(?:stitch )?marker(?!\S){_LAST}", "{1} in each st to end"),

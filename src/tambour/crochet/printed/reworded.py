@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from itertools import accumulate
 
 from tambour.crochet.printed.tokens import Token
+from tambour.crochet.words.sayings import Sayings
 
 
-def reworded(tokens: list[Token], sayings: Iterable[tuple[re.Pattern[str], str]]) -> list[Token]:
+def reworded(tokens: list[Token], sayings: Sayings[str]) -> list[Token]:
     """``tokens`` with whatever each of the ``sayings`` finds in their words as what it means; the same list where none finds anything."""
     words = " ".join([t.word for t in tokens])
-    for said, meant in sayings:
-        if said.search(words):
+    likely = sayings.likely(words)
+    for k, (said, meant) in enumerate(sayings.each):
+        if not likely >> k:
+            break
+        if likely >> k & 1 and said.search(words):
             tokens = _put(tokens, said, meant)
             words = " ".join([t.word for t in tokens])
+            likely = sayings.likely(words)
     return tokens
 
 

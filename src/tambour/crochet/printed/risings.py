@@ -10,6 +10,7 @@ from typing import Final
 
 from tambour.crochet.printed.edges import placed, spoken
 from tambour.crochet.printed.tokens import Row
+from tambour.crochet.words.sayings import Sayings
 
 _CH: Final = r"(?P<ch>(?:ch|chain) [1-5]|[1-5] (?:ch|chs|chain|chains)|ch[1-5])"
 _TALL: Final = r"(?:sc|hdc|dc|tr|st|stitch|sts|stitches)"
@@ -31,8 +32,8 @@ def _ended(m: re.Match[str]) -> str:
     return re.sub(r" to (?:the )?last st$", " across", m["each"])
 
 
-_RULES: Final[tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], str]], ...]] = tuple(
-    (re.compile(rf"(?<!\S)(?:{said})"), meant)
+_RULES: Final = Sayings[Callable[[re.Match[str]], str]](
+    (rf"(?<!\S)(?:{said})", meant)
     for said, meant in (
         (
             rf"{_CH} (?P<b>\( )?(?:=|as|for|in place of|instead of|stands for|makes|is) (?:the |a |your )?(?:1st |first |1 )?(?P<st>sc|hdc|dc|tr)(?(b) \))(?= ?[,.;:])",
@@ -98,9 +99,11 @@ def counting(rows: list[Row]) -> list[Row]:
 
 
 def _row(row: Row) -> Row:
-    for said, meant in _RULES:
+    words = " ".join([t.word for t in row.tokens])
+    likely = _RULES.likely(words)
+    for k, (said, meant) in enumerate(_RULES.each):
         at = 0
-        while (found := said.search(" ".join(t.word for t in row.tokens), at)) is not None:
+        while likely >> k & 1 and (found := said.search(words, at)) is not None:
             put = meant(found)
             a, b = placed(row.tokens, *found.span())
             # What stays as it is keeps its own tokens, and so its places.
@@ -114,4 +117,6 @@ def _row(row: Row) -> Row:
                 made[0] = replace(made[0], capital=first.capital)
             row = replace(row, tokens=[*row.tokens[:a], *made, *row.tokens[b:]])
             at = found.start() + max(1, len(put))
+            words = " ".join([t.word for t in row.tokens])
+            likely = _RULES.likely(words) | 1 << k
     return row

@@ -4,7 +4,6 @@ lists of nothing but the stitches of each round: ``6, 12, 18, 24``."""
 from __future__ import annotations
 
 import itertools
-from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.printed.heads import heads
@@ -110,19 +109,14 @@ def _named(tokens: list[Token], k: int, vocabulary: Vocabulary) -> tuple[int, in
         return None
     letters = token.word.rstrip("0123456789")
     if letters != token.word:
-        if not letters or (letters != "r" and not _round(token, letters, vocabulary)):
+        if not letters or (letters != "r" and not vocabulary.counts(letters)):
             return None
         return int(token.word[len(letters) :][:6]), k + 1
     if len(token.word) > 7 or k + 1 >= len(tokens):
         return None
     at = k + 1 + (tokens[k + 1].word in (".", "#"))
     found = _plain(tokens, at) if at < len(tokens) else None
-    return found if found is not None and _round(token, token.word, vocabulary) else None
-
-
-def _round(token: Token, letters: str, vocabulary: Vocabulary) -> bool:
-    read = vocabulary.read([replace(token, word=letters)])
-    return len(read) == 1 and read[0].kind == "key" and read[0].value in ("round", "row")
+    return found if found is not None and vocabulary.counts(token.word) else None
 
 
 def listed(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:

@@ -9,7 +9,6 @@ from typing import Final
 
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.copied import copies_of, number_of
-from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.shades import shade, spoken
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.vocabulary import Vocabulary
@@ -77,7 +76,7 @@ class _Words:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         terms = TERMS[vocabulary.code]
-        self.heard, self.read = terms.heard, vocabulary.read
+        self.heard, self.read, self.heads = terms.heard, vocabulary.read, vocabulary.heads
         self.make = terms.words["make"][0]
         self.makes = frozenset((*terms.words["make"], *self.heard.words.get("make", ())))
         self.numbering = frozenset((*self.heard.labels, *self.heard.steps, *self.heard.items))
@@ -114,7 +113,7 @@ def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
 def _stands(above: list[Token], words: _Words) -> bool:
     """Whether the line above is a heading already: what leads on to a part below it tells how that begins, "Start with orange, top of the head"."""
     title = _title(above, words) if 0 < len(above) <= _LONGEST else None
-    return title is not None and not heads(words.read(above))
+    return title is not None and not words.heads(above)
 
 
 def _yarn(aside: list[Token], words: _Words) -> list[Token]:
@@ -173,7 +172,7 @@ def _near(rows: list[Row], k: int, words: _Words, founded: dict[int, bool]) -> l
         if n not in founded:
             said = words.read(rows[n].tokens)
             ring = any(t.value == "ring" for t in said)
-            founded[n] = ring or any(head.numbers[:1] == (1,) for _, head in heads(said))
+            founded[n] = ring or any(head.numbers[:1] == (1,) for _, head in words.heads(rows[n].tokens))
     return [founded[n] for n in near]
 
 

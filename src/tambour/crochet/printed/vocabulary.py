@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import Any, Final
 
 from tambour.crochet.language.stitches import STITCHES, standard
+from tambour.crochet.printed.heads import Head, heads
 from tambour.crochet.printed.inner import evened
 from tambour.crochet.printed.passes import plain
 from tambour.crochet.printed.tokens import Token, rows
@@ -57,6 +58,8 @@ class Vocabulary:
         self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
         self._alone: set[str] = set()  # words that are a stitch by themselves
         self._read: dict[tuple[int, int, int], tuple[list[Token], list[Token]]] = {}
+        self._heads: dict[tuple[int, int, int], tuple[list[Token], list[tuple[int, Head]]]] = {}
+        self._counts: dict[str, bool] = {}
         table = TERMS[code]
         heard = table.heard
         self.labels, self.steps = frozenset((*heard.labels, *heard.steps)), frozenset(heard.steps)
@@ -119,18 +122,28 @@ class Vocabulary:
     def define(self, word: str, stitch: str) -> None:
         """A stitch's name that the pattern itself explains."""
         self._add([word], "stitch", stitch, True)
-        self._read.clear()
+        self._forget(word)
 
     def mean(self, word: str, key: str) -> None:
         """A word of the trade, a ring or a round, that the pattern itself explains."""
         self._add([word], "key", key)
-        self._read.clear()
+        self._forget(word)
+
+    def _forget(self, said: str) -> None:
+        """Reads anew what has words that mean something else now, by themselves or with a number grown to them."""
+        words = {t.word for t in rows(said)[0].tokens}
+        self._read = {
+            place: known
+            for place, known in self._read.items()
+            if not any(t.word in words or t.word.rstrip("0123456789") in words for t in known[0])
+        }
+        self._counts = {}
 
     def own(self) -> None:
         """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
         self._first = dict(self._first)
         self._alone = set(self._alone)
-        self._read = {}
+        self._read, self._heads, self._counts = {}, {}, {}
 
     def stitches(self) -> list[str]:
         """The words of one piece that mean a stitch, for suggestions."""
@@ -147,6 +160,26 @@ class Vocabulary:
             made = plain(self._phrased(evened(tokens)))
             known = self._read[place] = (list(tokens), made)
         return list(known[1])
+
+    def heads(self, tokens: list[Token]) -> list[tuple[int, Head]]:
+        """The heads of the rounds of a line (:func:`heads`); not to be written."""
+        if not tokens:
+            return []
+        read = self.read(tokens)
+        place = (tokens[0].start, tokens[-1].end, len(tokens))
+        known = self._heads.get(place)  # as those of what was read there last
+        if known is None or known[0] is not self._read[place][1]:
+            known = self._heads[place] = self._read[place][1], heads(read)
+        return known[1]
+
+    def counts(self, word: str) -> bool:
+        """Whether a word alone means a round or a row: asked of every word that a number stands behind."""
+        known = self._counts.get(word)
+        if known is None:
+            read = self.read([Token("word", word, 0, len(word))])
+            known = len(read) == 1 and read[0].kind == "key" and read[0].value in ("round", "row")
+            self._counts[word] = known
+        return known
 
     def _phrased(self, tokens: list[Token]) -> list[Token]:
         made: list[Token] = []

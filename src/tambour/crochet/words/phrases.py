@@ -279,8 +279,7 @@ class Phrases:
         """Which sentence ``text`` is, whole, and its fields (those left out are not there); None for none of ``keys``."""
         said = text.strip().rstrip(".").rstrip()
         small = said.lower()
-        for key in keys:
-            fixed = _fixed(self.terms.sentences[key])
+        for key, fixed in self._needed(tuple(keys)):
             if (fixed and fixed[0] not in small) or not all(word in small for word in fixed):
                 continue  # most sentences are none of these
             found = self._compiled(key).fullmatch(said)
@@ -332,6 +331,17 @@ class Phrases:
             return {"eye": Eye, "felt": Felt}[key](spot(fields.pop("spot")), span=span, **fields)
         spots = tuple(spot(at) for at in fields.pop("spots"))
         return {"embroider": Embroidery, "hair": Hair}[key](spots, span=span, **fields)
+
+    def _needed(self, keys: tuple[str, ...]) -> list[tuple[str, tuple[str, ...]]]:
+        """Keys, each with the words that every sentence of its has: asked of every sentence of a text."""
+        found = self._asked.get(keys)
+        if found is None:
+            found = self._asked[keys] = [(key, _fixed(self.terms.sentences[key])) for key in keys]
+        return found
+
+    @cached_property
+    def _asked(self) -> dict[tuple[str, ...], list[tuple[str, tuple[str, ...]]]]:
+        return {}
 
     @cached_property
     def _patterns(self) -> dict[str, re.Pattern[str]]:

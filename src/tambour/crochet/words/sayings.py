@@ -1,0 +1,66 @@
+"""Sayings: many expressions, and what each means, of which a line has one or none: the letters that each needs are looked for first."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Final, Generic, TypeVar
+
+Meant = TypeVar("Meant")
+_PIECE: Final = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\((?:\?(?:P<\w+>|:|<?[=!]))?|\{\d*,?\d*\}|.", re.DOTALL)
+
+
+class Sayings(Generic[Meant]):
+    """Expressions, and what each means, in order."""
+
+    def __init__(self, each: Iterable[tuple[str, Meant]]) -> None:
+        self.each: list[tuple[re.Pattern[str], Meant]] = []
+        # Of a hundred sayings a line has one or none: which it cannot have is seen by the letters that they need.
+        self._having: dict[str, int] = {}
+        for k, (said, meant) in enumerate(each):
+            self.each.append((re.compile(said), meant))
+            for letters in needed(said):
+                self._having[letters] = self._having.get(letters, 0) | 1 << k
+
+    def likely(self, words: str) -> int:
+        """Which of them ``words`` may hold, a bit each."""
+        found = 0
+        for letters, some in self._having.items():
+            if letters in words:
+                found |= some
+        return found
+
+
+def needed(said: str) -> tuple[str, ...]:
+    """Letters of which some stand in whatever an expression finds: of its runs of plain letters the longest; "" where none is needed."""
+    if "(?(" in said:
+        return ("",)
+    pieces = [*_PIECE.findall(said), ")"]
+    open_: list[tuple[str, list[tuple[str, ...]], list[tuple[str, ...]]]] = [("(", [], [("",)])]
+    for piece, behind in zip(pieces, [*pieces[1:], ""]):
+        _, branches, runs = open_[-1]
+        letter = piece[-1:] if len(piece) == 1 and piece not in "^$.|)+*?" else ""
+        letter = piece[1:] if piece[0] == "\\" and not piece[1].isalnum() else letter
+        optional = behind[:1] in ("?", "*", "{")
+        if piece[0] == "(":
+            open_.append((piece, [], [("",)]))
+        elif piece == "|":
+            branches.append(max(runs, key=_rare))
+            runs[:] = [("",)]
+        elif piece == ")":
+            kind = open_.pop()[0]
+            found = tuple(dict.fromkeys(w for some in (*branches, max(runs, key=_rare)) for w in some))
+            if not open_:
+                return ("",) if "" in found else found
+            looks = kind[-1] in "=!"
+            open_[-1][2].extend([("",) if optional or looks or "" in found else found, ("",)])
+        elif letter and not optional:
+            runs[-1] = (runs[-1][0] + letter,) if len(runs[-1]) == 1 else (letter,)
+        else:
+            runs.append(("",))
+    return ("",)
+
+
+def _rare(letters: tuple[str, ...]) -> tuple[int, int]:
+    """How little of a language has one of some letters: the longer the shortest of them, and the fewer they are."""
+    return min(map(len, letters)), -len(letters)
