@@ -309,7 +309,7 @@ def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_her
     lines = plain(hers()).text.splitlines()
     eyes, stuff, last = (
         next(k for k, line in enumerate(lines) if word in line)
-        for word in ("› Now, while fingers still reach", "› Stuff.", "Rnd 13")
+        for word in ("› Now, while fingers still reach", "› Begin to stuff", "Rnd 13")
     )
     assert eyes < last and stuff < last
     hers_ = [

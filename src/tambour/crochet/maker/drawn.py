@@ -26,6 +26,7 @@ _STITCH: Final = re.compile(
     re.IGNORECASE,
 )
 """How she names the stitch of a line."""
+_BOUGHT: Final = re.compile(r"\b(?:safety|plastic)\b", re.IGNORECASE)
 _FACES: Final = (
     "smile",
     "mouth",
@@ -70,6 +71,8 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
         begins = [abs(taken.off(r.spots[0])[0]) for r in alike]
         from_ = taken.from_middle(first.spots[0].part, [float(np.mean(begins))], taken.off(first.spots[0])[1])
         return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
+    if _BOUGHT.search(taken.words(first)):
+        return [over]  # a nose of plastic is as large as it was bought
     if first.motif not in _FACES:
         return [over]
     if len(first.spots) > 1 and first.motif in SATIN | frozenset(CURVED):
@@ -81,6 +84,7 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
     if len(alike) == 2 and first.motif not in ("eyes", "claws"):
         apart = [float(np.mean([abs(taken.off(s)[0]) for s in r.spots])) for r in alike]
         where = taken.from_middle(first.spots[0].part, [float(np.mean(apart))], taken.off(first.spots[0])[1])
+        where = where if np.mean(apart) >= 0.5 else ""  # the two strokes of one thing
         return [own["each"].format(what=size), over, where, _stitched(taken, first)]
     return [size, over, _stitched(taken, first)] if len(alike) == 1 else [over]
 

@@ -33,6 +33,10 @@ _TOUCHES: Final = 1.2
 """Parts that come so near to one another touch, in stitches."""
 _NARROW: Final = 9
 """On a round of so few stitches no place is counted."""
+_NEAR: Final = 1.5
+"""An end so many rounds from those that she names is where she says."""
+_FAR: Final = 0.35
+"""Two parts are another way apart than she says where they miss it by this share."""
 _LEVEL: Final = 2
 """An edge over no more rounds than this runs along a round."""
 
@@ -77,7 +81,11 @@ class Taken:
         made: dict[str, None] = {}
         placed = [r for r in records if isinstance(r, Placed)]
         for base in dict.fromkeys(self._base(r) for r in placed):
-            made |= dict.fromkeys(self._said(self._part([r for r in placed if self._base(r) == base])))
+            alike = [r for r in placed if self._base(r) == base]
+            said = self._said(self._part(alike))
+            if said and self._against(alike):
+                said = [self.own["took elsewhere"].format(what=f"{said[0][:1].lower()}{said[0][1:]}")]
+            made |= dict.fromkeys(said)
         drawn = [r for r in records if isinstance(r, Embroidery)]
         for motif in dict.fromkeys((r.motif, r.spots[0].part) for r in drawn):
             said = sized(self, [r for r in drawn if (r.motif, r.spots[0].part) == motif])
@@ -90,6 +98,8 @@ class Taken:
             return ""
         off = [float(int(np.mean([abs(self.off(e.spot)[0]) for e in eyes]) + 0.01))]
         count = self.off(eyes[0].spot)[1]
+        if not off[0]:
+            return ""  # each on a disc of its own
         each = self.own["each"].format(what=self.from_middle(eyes[0].spot.part, off, count))
         words = self.built.pattern.text.text[eyes[0].span.start : eyes[0].span.end].lower()
         counted = "" if _NUMBERED.search(words) else self._counted([e.spot for e in eyes])
@@ -130,6 +140,32 @@ class Taken:
         key = {"eyes": "embroidered eyes"}.get(motif, motif)
         return self.own.get(key, "")
 
+    def _against(self, alike: list[Placed]) -> bool:
+        """Whether the pictures have parts elsewhere than her sentence says: on other rounds, or another way apart."""
+        first = alike[0]
+        seams = [s for r in alike if len(s := self._seam(r))]
+        if len(seams) < len(alike) or len(alike) > 2:
+            return False
+        hers = self.rounds(first)
+        levels = np.concatenate([s[:, 0] for s in seams])
+        if hers and (levels.min() > hers[1] + _NEAR or levels.max() < hers[0] - _NEAR):
+            return True
+        apart = self._apart(first)
+        gaps = [self._gap(first, seams), 2 * round(levels.min())]  # or counted over the top
+        gap = min(gaps, key=lambda n: abs(n - apart))
+        return len(alike) == 2 and apart > 0 and gaps[0] > 0 and abs(gap - apart) > max(2.0, _FAR * apart)
+
+    def _apart(self, record: Placed) -> int:
+        """How many stitches she has between two; 0 where she says nothing of it."""
+        found = _APART.search(self.words(record).lower())
+        return int(found[1]) if found is not None else 0
+
+    @staticmethod
+    def _gap(first: Placed, seams: list[Array]) -> int:
+        """How many stitches of the round of their middles are between two ends; 0 where they are on no one round."""
+        near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
+        return round(float(sum(near))) if np.isfinite(near).all() else 0
+
     def _base(self, record: Placed) -> int:
         return self.built.parts[self.spots.parts[record.part]].section
 
@@ -156,10 +192,10 @@ class Taken:
         if len(seams) < len(alike):
             return []
         if end.laid:
-            return [
-                *self._laid(first, part),
-                self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), True),
-            ]
+            at = self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), True)
+            if len(alike) == 2 and self._mean_off(alike) > 1.0:
+                return [own["each"].format(what=at), *self._laid(first, part)]
+            return [*self._laid(first, part), at]
         low = round(float(np.mean([s[:, 0].min() for s in seams])))
         high = round(float(np.mean([s[:, 0].max() for s in seams])))
         turn = min(first.across % 180.0, -first.across % 180.0)
@@ -167,6 +203,7 @@ class Taken:
         if hers and hers[1] - hers[0] > 1:
             low, high = hers  # the numbers are those that she says
         if end.ring:
+            plain = bool(hers) and hers[1] - hers[0] <= 1  # its middle is spoken of before
             said = [
                 self._at(sum(hers) / 2.0)
                 if hers and hers[1] - hers[0] <= 1
@@ -175,11 +212,11 @@ class Taken:
                 else own["took ring"].format(a=low, b=high)
                 if low < high
                 else own["took round"].format(n=low),
-                self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round))),
+                self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), plain),
             ]
-            near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
-            if len(alike) == 2 and np.isfinite(near).all():
-                said.append(own["took gap on"].format(n=round(float(sum(near))), r=round(first.spot.round)))
+            gap = self._gap(first, seams)
+            if len(alike) == 2 and gap and (not self._apart(first) or self._against(alike)):
+                said.append(own["took gap on"].format(n=gap, r=round(first.spot.round)))
         elif high - low <= _LEVEL and turn < 60.0:
             level = round((low + high) / 2)
             said = self._along(first, seams, level, len(alike), self._level(hers, level))
@@ -193,6 +230,8 @@ class Taken:
         names = dict[str, None]()
         finish = self.built.pattern.finish
         since = max((k for k, f in enumerate(finish) if f in alike), default=0)
+        on = {r.part for r in alike}
+        worn = {self.spots.parts[f.part] for f in finish if isinstance(f, Placed) and f.spot.part in on}  # sewn to it
         hanging = {self.spots.parts[f.part] for f in finish[since + 1 :] if isinstance(f, Placed)}  # not there yet
         for record in alike:
             mine = graph.parts[self.spots.parts[record.part]]
@@ -202,6 +241,7 @@ class Taken:
                 if (
                     k == host
                     or k in hanging
+                    or k in worn
                     or other.end <= other.start
                     or section == self.built.parts[self.spots.parts[record.part]].section
                 ):
@@ -236,6 +276,8 @@ class Taken:
         if self.spots.in_rows[part]:
             rows = sum(r.part == part and r.number > 0 and not r.aside for r in self.built.rounds)
             low = round(level - 0.5 * rows)
+            if rows <= 1:
+                return ["" if hers else self._at(level)]
             named = self.own["took from row"].format(a=low, b=low + rows - 1)
             return ["" if hers and hers[1] - hers[0] > 1 else named, self._row_one(part)]
         return ["" if hers and hers[1] - hers[0] <= 1 else self._at(level)]
@@ -271,6 +313,9 @@ class Taken:
         far = float(np.mean([abs(s[:, 1]).mean() for s in seams])) > count / 4
         offs = [count / 2 - abs(s[:, 1]) if far else abs(s[:, 1]) for s in seams]
         a, b = (max(1, round(float(np.mean([end(o) for o in offs])) + 0.49)) for end in (np.min, np.max))
+        if a == b:
+            where = self.from_middle(first.spot.part, [count / 2 - a if far else a], count)
+            return [self.own["took round"].format(n=named or level), where]
         key = (
             ("side under" if far else "side top")
             if self._lies(first.spot.part)
@@ -278,7 +323,8 @@ class Taken:
         )
         edge = self.own["took edge"].format(n=named or level, a=a, b=b, side=self.own[key])
         said = [edge if named else edge.partition(",")[2].strip()]  # "between rounds 8 and 9" she says herself
-        return [*said, *([self.own["took gap"].format(n=2 * (a - 1))] if copies == 2 and a > 1 else [])]
+        gap = copies == 2 and a > 1 and (not self._apart(first) or abs(self._apart(first) - 2 * (a - 1)) > 2)
+        return [*said, *([self.own["took gap"].format(n=2 * (a - 1))] if gap else [])]
 
     def _across(self, alike: list[Placed], low: int, high: int, stitches: int) -> list[str]:
         """Of an edge across rounds those that it runs over, where on them, and how it is eased onto them."""
@@ -409,6 +455,5 @@ class Taken:
         n = str(found[0]) if found[0] == found[-1] else f"{found[0]}–{found[-1]}"
         if len(exact) == 1 and abs(exact[0] % 1.0 - 0.5) < 0.1:
             n = f"{int(exact[0])}½"
-        return self.own[
-            ("off under" if far else "off top") if self._lies(part) else ("off back" if far else "off front")
-        ].format(n=n)
+        key = ("off under" if far else "off top") if self._lies(part) else ("off back" if far else "off front")
+        return re.sub(r"^1 stitches\b", "1 stitch", self.own[key].format(n=n))

@@ -10,6 +10,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Eye, Finish, Placed
+from tambour.crochet.page.answered import says_way
 from tambour.crochet.page.assembly import held, put_early
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.hers import cleaned
@@ -54,6 +55,12 @@ _COPIES: Final = frozenset(
 )
 _WITH: Final = re.compile(r"\b(?:with|using|use|join)\b", re.IGNORECASE)
 """How she says which yarn a part is begun in."""
+_SAYS_COUNT: Final = re.compile(
+    r"(?:[–—]|\s-\s|=)\s*(\d+) (?:sc|hdc|dc|tr|sts?|stitches)\b|\b(\d+) (?:sc|sts?|stitches) evenly (?:spaced )?(?:a?round|across)\b",
+    re.IGNORECASE,
+)
+"""A count within a round."""
+_DONE: Final = frozenset(("turn.", "join."))
 _WORD: Final = re.compile(r"[^\W_]+")
 
 
@@ -72,10 +79,20 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
             at = next(k for k, (row, _) in enumerate(placed) if row.span == span and row.hers)
             placed[at + 1 : at + 1] = [(Row("", note, ours=True), span.start) for note in notes_at(book, span)]
     first = next((k for k, (row, _) in enumerate(placed) if row.label), len(placed))
-    if any(_WITH.search(row.words) for row, _ in placed[:first] if row.hers):
+    if any(_WITH.search(row.words) for row, _ in placed[: first + 1] if row.hers):
         placed = [one for k, one in enumerate(placed) if k >= first or not (one[0].ours and one[0].colors)]
+    placed = [one for k, one in enumerate(placed) if not _done_there(placed, k)]
     placed = _filled(book, block, _eyes(book, block, placed, said, steps))
     return _as_she_numbers(book, placed)
+
+
+def _done_there(placed: list[tuple[Row, int]], k: int) -> bool:
+    """Whether a sentence of hers is a turn or a join that stands in our words of the round before it: "7 sc. Turn."."""
+    row = placed[k][0]
+    if not row.hers or row.label or row.words.lower() not in _DONE or not k:
+        return False
+    before = placed[k - 1][0]
+    return bool(before.label) and not before.hers and before.words.endswith(row.words.lower().rstrip("."))
 
 
 def _as_she_numbers(book: Book, placed: list[tuple[Row, int]]) -> list[Row]:
@@ -136,7 +153,8 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
     assert book.hers is not None
     text = book.piece.built.pattern.text.text
     many = len({hue for one in book.said.blocks for row in one.lines for hue in row.colors}) > 1
-    her_way = any("worked from" in words.lower() for words, _ in book.hers.inside.get(block.section, []))
+    her_way = says_way(book, block.section)
+    blocks = {one.section for one in book.said.blocks}
     told: set[int] = set()
     rows: list[tuple[Row, int]] = []
     for row in block.lines:
@@ -158,7 +176,11 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
             if row.label or not (alone or noted(row) or behind):
                 rows.append((row, place))
         elif place < 0:  # written under another part
-            rows += [(row, -1)] if row.label else []
+            rows += (
+                [(row, -1)]
+                if row.label and (stretch.plain or book.hers.part_at(stretch.span.start) not in blocks)
+                else []
+            )
         elif k not in told:
             told.add(k)
             rows += [(one, place) for one in _in_her_words(book, stretch, mine)]
@@ -188,6 +210,8 @@ def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
     words, count = her_round(text, bool(first.number), last.count), last.count
     if not stated and not drawn and words == her_round(text, bool(first.number), 0):
         count = 0  # ours alone, and not drawn as she says
+    if not last.doubt and _says_other(words, count):
+        count = 0
     if not _WORD.search(words):
         return labelled
     a, b, times = first.number - first.times + 1, last.number, sum(row.times for row in labelled)
@@ -196,6 +220,12 @@ def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
         said = ", ".join(row.label.split()[-1] for row in labelled)
     label = re.sub(r"\d.*", said, first.label)
     return [Row(label, words, count, b, colors, times=times, span=stretch.span, hers=True, doubt=last.doubt)]
+
+
+def _says_other(words: str, count: int) -> bool:
+    """Whether her words say another count than ours, which counts chains as well, or what an edge has room for."""
+    said = [int(found[0] or found[1]) for found in _SAYS_COUNT.findall(words)]
+    return bool(said) and count not in said
 
 
 def _at(book: Book, span: Span | None) -> int:
@@ -281,8 +311,10 @@ def _filled(book: Book, block: PartText, placed: list[tuple[Row, int]]) -> list[
     closed = 0 < next((row.count for row in reversed(rows) if row.label), 0) <= _CLOSED
     if stuffed < 0 or inside < 0 or not closed or not any(row.label for row in rows[inside + 1 : stuffed]):
         return placed
-    said = book.said.terms.sentences["stuff medium"]
+    said = book.own["stuff now"]
     ours = Row("", f"{said[:1].upper()}{said[1:]}.", ours=True)
+    if any(row.label for row in rows[stuffed:]):
+        return placed  # she does it while the piece is open still
     return [*placed[: inside + 1], (ours, -1), *placed[inside + 1 :]]
 
 

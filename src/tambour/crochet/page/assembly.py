@@ -15,6 +15,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.angle import angle, called
+from tambour.crochet.page.answered import onto
 from tambour.crochet.page.begin import paragraph, photo
 from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
 from tambour.crochet.page.care import care_room
@@ -90,7 +91,7 @@ def guesses(book: Book) -> list[tuple[str, list[str]]]:
     finish = book.piece.built.pattern.finish
     made = list[tuple[str, list[str]]]()
     for step in steps(book.piece):
-        ours = [n for n in step.records if not book.words_of(finish[n])]
+        ours = [n for n in step.records if not book.words_of(finish[n]) and not onto(book, finish[n])]
         if ours and not _eyes_only(book, step):
             said = [*map(book.called, book.spoken([finish[n] for n in ours]))]
             made += [(words, []) for words in said[:-1]]
@@ -177,11 +178,15 @@ def held(book: Book, numbers: Sequence[int]) -> list[str]:
     built = book.piece.built
     if book.hers is None:
         return []
-    spots, made = Spots(built), dict[str, None]()
+    spots, ways = (
+        Spots(built),
+        dict[str, dict[str, None]](),
+    )  # of each part all the ways in which its copies are sewn on
     records = [built.pattern.finish[n] for n in numbers]
     for record in records:
         if not isinstance(record, Placed):
             continue
+        made = ways.setdefault(built.pattern.parts[built.parts[spots.parts[record.part]].section].name, {})
         end = end_of(built, spots, record)
         if spots.in_rows[spots.parts[record.part]] and not end.laid:
             continue
@@ -197,7 +202,7 @@ def held(book: Book, numbers: Sequence[int]) -> list[str]:
             key = "sewn odd" if len(end.nodes) % 2 else "sewn flat"
             made[book.own[key].format(n=len(end.pinched))] = None
     return [
-        *made,
+        *dict.fromkeys(way for made in ways.values() if len(made) == 1 for way in made),
         *map(book.called, book.taken([r for r in records if book.words_of(r)])),
     ]  # of what is ours all is said already
 
@@ -285,8 +290,13 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
                 more = book.hers.beside.get(place, []) if book.hers is not None else []
                 made[i] += book.hers.ahead.get(place, []) if book.hers is not None else []
                 made[i].append(" ".join([words, *more]))
-        ours = [r for r in records if r not in own]
+        ours = [r for r in records if r not in own and not onto(book, r)]
         made[i] += map(book.called, book.spoken(ours))
+        for record in records:
+            if isinstance(record, Placed) and record not in own and record not in ours:
+                name, host = (one.rpartition(".")[0] or one for one in (record.part, record.spot.part))
+                words = book.called(book.own["worked onto"].format(part=name, onto=host))
+                made[i] += [words] if words not in made[i] else []
         if ours and book.hers is not None:
             made[i].append(book.own["guess"])
         if not made[i] and not records and book.hers is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cached_property
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -24,7 +25,7 @@ from tambour.crochet.page.instructions import words
 from tambour.crochet.page.ofmodel import noted, of_model, spoken
 from tambour.crochet.page.placed import Spoken
 from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, printable, wrap
-from tambour.crochet.page.wording import Words
+from tambour.crochet.page.wording import PartText, Words
 from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import PAPERS, Page
 
@@ -97,6 +98,8 @@ class Book:
             self.said = noted(self.said, piece)
         self.code = self.said.terms.code
         self.hers = hers(piece.built.pattern, self.code)
+        if self.hers is not None:  # as she has them: a part may be done with after others that she begins later
+            self.said = replace(self.said, parts=tuple(sorted(self.said.parts, key=lambda part: _begun(piece, part))))
         self.spoken = spoken(piece, self.said) if of_model(piece) else Spoken(piece.built, self.said.terms)
         self.own = self.said.terms.page
         self.headed = _headed(piece, self.said)
@@ -193,6 +196,14 @@ def _headed(piece: Plush, said: Words) -> dict[str, str]:
     parts = piece.built.pattern.parts
     own = [b for b in said.blocks if b.section >= 0 and b.span is None and not parts[b.section].heading]
     return {name: b.name for b in own if (name := parts[b.section].name) and name != b.name}
+
+
+def _begun(piece: Plush, part: PartText) -> int:
+    """Where a part is begun in its designer's text."""
+    if part.section < 0:
+        return -1
+    section = piece.built.pattern.parts[part.section]
+    return max(min(at.start for at in (section.span, *section.also)), part.span[0] if part.span is not None else 0)
 
 
 def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:

@@ -139,6 +139,8 @@ _WORDS: Final = 5
 """A line of so many words that ends as a sentence does is one, also below a list."""
 
 
+_OVER: Final = 4
+"""A heading over several parts stands within so many lines above the first of them."""
 _NAMES: Final = 3
 """So few words without a point head what stands below them."""
 
@@ -209,7 +211,8 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     finishing = {_span(record) for record in pattern.finish}
     worked = [r for r in pattern.finish if isinstance(r, Eye) or (isinstance(r, Placed) and r.through)]
     stepped = [record.span for record in pattern.finish if record not in worked]
-    _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
+    above = _headed_above(lines, first) if starts else first
+    _before(made, pattern, terms, [one for one in lines if one[0] < above and one[0] not in heads])
     made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
     waiting: list[str] = []  # what she says before the next step
     covered = [line.span.start for part in pattern.parts for line in part.lines]
@@ -221,8 +224,8 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
         for one in stretches(pattern, text.rfind("\n", 0, first) + 1, rest)
     ]
     named = {at.start: at for s in pattern.parts for at in (s.span, *s.also)}
-    for a, b, _ in _whole([one for one in lines if one[0] < rest], text, heads):
-        if (a < first and a not in heads) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, _AD, _FOOT)):
+    for a, b, _ in _whole([one for one in lines if one[0] < rest], text, heads, finishing):
+        if (a < above and a not in heads) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, _AD, _FOOT)):
             continue
         if a >= after:
             if a != after or a not in assembles:
@@ -233,7 +236,9 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
             continue
         for c, d in sentences_between(text, a, b, made.worked):
             for words, span in _sentences(text, c, d):
-                part = max(((start, k) for start, k in starts if start < span.end), default=(0, 0))[1]
+                part = max(
+                    ((start, k) for start, k in starts if start < span.end), default=starts[0] if starts else (0, 0)
+                )[1]
                 if any(span.start <= at < span.end for at in named):
                     made.headed.append((part, words, span))
                     continue
@@ -246,10 +251,26 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
                     part = ahead  # "STARFISH" above its first part
                 made.inside.setdefault(part, []).append((words, span))
     made.closing += waiting
-    made.intro += _left(made, pattern, [one for one in lines if one[0] < first and one[0] not in heads])
+    made.intro += _left(made, pattern, [one for one in lines if one[0] < above and one[0] not in heads])
     for said in made.inside.values():
         said.sort(key=lambda one: one[1].start)
     return made
+
+
+def _headed_above(lines: list[tuple[int, int, str]], first: int) -> int:
+    """Where the first part's text begins: at a heading in capitals that stands over it and what follows, "DRESS" over its bodice, behind
+    that of the instructions."""
+    before = [(a, line.strip()) for a, b, line in lines if b < first]
+    for a, line in before[:-_OVER:-1]:
+        if _plain(line) in _BEGUN:
+            break
+        if (
+            line.isupper()
+            and len(line.split()) <= _NAMES
+            and any(_plain(one) in _BEGUN for at, one in before if at < a)
+        ):
+            return a
+    return first
 
 
 def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, int, str]]) -> None:
@@ -377,12 +398,17 @@ def _told(span: Span, step: Span) -> bool:
 _ENDED: Final = (".", "!", "?", ":", ")", "]", "*", "|")
 
 
-def _whole(lines: list[tuple[int, int, str]], text: str, heads: set[int]) -> list[tuple[int, int, str]]:
-    """Lines with those that only go on with them, where a sentence was broken at the edge of a page."""
+def _whole(
+    lines: list[tuple[int, int, str]], text: str, heads: set[int], said: set[tuple[int, int]]
+) -> list[tuple[int, int, str]]:
+    """Lines with those that only go on with them, where a sentence was broken at the edge of a page; said : places of sentences that
+    were read as one, whatever letter their next line begins with."""
     made: list[tuple[int, int, str]] = []
     for a, b, line in lines:
         before = made[-1] if made else None
-        goes_on = line[:1].islower() and text[before[1] : a] == "\n" if before is not None else False
+        next_ = before is not None and text[before[1] : a] == "\n"
+        one = before is not None and any(x < before[1] and a < y for x, y in said)
+        goes_on = next_ and (line[:1].islower() or one)
         if before is not None and goes_on and not before[2].rstrip().endswith(_ENDED) and before[0] not in heads:
             made[-1] = (before[0], b, text[before[0] : b])
         else:

@@ -45,6 +45,7 @@ _AT_END: Final = re.compile(
     r"\s*\d+ [a-z ]{1,20} (?:at|after) (?:the )?end of [\w ]*(?:rnd|round|row)s?\.?\s*", re.IGNORECASE
 )
 """A count of several rounds: "24 sc at end of 3rd rnd"."""
+_BOTH_COUNTED: Final = re.compile(r"\d+ \w+,? (?:and|&|,) \d+ ch\b", re.IGNORECASE)
 _END: Final = re.compile(r"[.!?](?=\s|$)|(?=\n)|$")
 _BEGIN: Final = re.compile(r"(?:[.!?:;)]\s+|\n\s*|^)(?=\S)")
 _MAKES: Final = re.compile(
@@ -158,7 +159,8 @@ def _grown(text: str, a: int, b: int, low: int, high: int) -> tuple[int, int]:
     begin = line
     for found in _BEGIN.finditer(text, line, a + 1):
         begin = max(begin, found.end()) if found.end() <= a else begin
-    begin = begin if _WORD.search(text, begin, a) else a
+    marked = text.find("**", begin, a) if spans_marked(text) else -1
+    begin = begin if _WORD.search(text, begin, a) else a if marked < 0 else marked  # "**With A, ch 2": from here
     last = text[b - 1 : b]
     if last in ".!?" or text[b : b + 1] in ("\n", ""):
         return begin, b
@@ -201,6 +203,8 @@ def _plain(pattern: Pattern, span: Span, lines: list[Line], told: frozenset[Span
     if not all(_AT_END.fullmatch(note) for note in noted):
         return False
     words = text[span.start : span.end]
+    if _BOTH_COUNTED.search(words):
+        return False  # "88 sc and 88 ch-4 spaces": no one number says it
     if "**" in words and spans_marked(text):
         return False  # "12 sc.**": as far as here
     done = [name for line in lines for name in _names(line.items)]

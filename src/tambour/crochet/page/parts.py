@@ -9,6 +9,7 @@ from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, spots_of
 from tambour.crochet.page.among import noted, with_hers
+from tambour.crochet.page.answered import says_way
 from tambour.crochet.page.assembly import DOTS
 from tambour.crochet.page.begin import heading, photo
 from tambour.crochet.page.book import OWN, Book, cropped
@@ -231,8 +232,7 @@ def _way_up(book: Book, block: PartText) -> str:
     if not any(spot.part == section.name for f in built.pattern.finish for spot in spots_of(f)):
         return ""
     mine = [r for r in built.rounds if r.part == block.part and r.count]
-    said = " ".join(words.lower() for words, _ in book.hers.inside.get(block.section, []))
-    if len(mine) < _SOME or "worked from" in said:
+    if len(mine) < _SOME or says_way(book, block.section):
         return ""
     ends = [book.piece.positions[r.first : r.last + 1].mean(0) for r in (mine[0], mine[-1])]
     way = ends[1] - ends[0]

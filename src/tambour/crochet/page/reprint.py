@@ -22,14 +22,16 @@ def reprinted(piece: Plush) -> Words | None:
         return None
     made = book.said
     parts = tuple(_part(book, part) for part in made.parts)
-    finish = ["\n  › ".join((words, *notes_at(book, span))) for words, span in hers.finishing]
+    parts, joins = _joining(book, parts)
+    said = [(span.start, "\n  › ".join((words, *notes_at(book, span)))) for words, span in hers.finishing]
+    finish = [words for _, words in sorted([*said, *joins], key=lambda one: one[0])]
     finish += ["\n  ".join(f"› {said}" for said in (words, *notes)) for words, notes in guesses(book)]
     return replace(
         made,
         intro=(*([book.own["by"].format(name=book.designer)] if book.designer else []), *hers.intro),
         materials=tuple(hers.materials) or made.materials,
         colors=tuple(one for one in made.colors if not _named(one[0], hers)),
-        abbreviations=(*((line, "") for line in hers.listed), *_ours(book, parts)),
+        abbreviations=(*((line, "") for line in hers.listed), *_ours(book, parts), *_sign(book, parts, finish)),
         parts=parts,
         seams=(),
         finish=tuple(finish),
@@ -39,7 +41,7 @@ def reprinted(piece: Plush) -> Words | None:
 def _named(letter: str, hers: Hers) -> bool:
     """Whether she says herself which yarn a letter or a number means."""
     said = re.compile(
-        rf"(?:(?:colou?r|contrast|yarn|main|shade)\s+|[(,]\s*|^\W*){re.escape(letter)}(?=\s*[),:=–-]|\s+[A-Z])|\w {re.escape(letter)}(?=[,;.]|\W*$)|\bis (?:colou?r )?{re.escape(letter)}\b",
+        rf"(?:(?:colou?r|contrast|yarn|main|shade)\s+|[(,]\s*|^\W*){re.escape(letter)}(?=\s*[(),:=–-]|\s+[A-Z])|\w {re.escape(letter)}(?=[,;.]|\W*$)|\bis (?:colou?r )?{re.escape(letter)}\b",
         re.IGNORECASE,
     )
     return bool(letter) and any(said.search(line) for line in (*hers.materials, *hers.intro, *hers.listed))
@@ -56,10 +58,40 @@ def _part(book: Book, part: PartText) -> PartText:
     return replace(part, lines=tuple(rows), above=tuple(r.words for r in above))
 
 
+def _joining(book: Book, parts: tuple[PartText, ...]) -> tuple[tuple[PartText, ...], list[tuple[int, str]]]:
+    """The parts without the rounds that join them when all else is done, and these, each with its place: eyes come before."""
+    assert book.hers is not None
+    after, made, joins = book.hers.assembly, list[PartText](), list[tuple[int, str]]()
+    for part in parts:
+        late = [row for row in part.lines if row.label and row.span is not None and row.span.start >= after]
+        if len(late) == sum(bool(row.label) for row in part.lines):
+            made.append(part)  # a part that is worked among the steps
+            continue
+        said = ((row.span, replace(row, label="" if row.hers else row.label)) for row in late)  # "1st joining rnd: …"
+        joins += [(span.start, str(row)) for span, row in said if span is not None]
+        made.append(replace(part, lines=tuple(row for row in part.lines if row not in late)))
+    return tuple(made), joins
+
+
+def _sign(book: Book, parts: tuple[PartText, ...], finish: list[str]) -> list[tuple[str, str]]:
+    """What a line of ours begins with, where there is one."""
+    ours = any(row.ours for part in parts for row in part.lines) or any("›" in words for words in finish)
+    return [("›", book.own["ours sign"])] if ours else []
+
+
+def _explained(line: str) -> set[str]:
+    """The abbreviations that a line of hers explains: "Rnd(s) = Round(s)", "Sc2(3)tog = …", "inc (increase) = …"."""
+    head = re.split(r"\s*[=:–—]|\s-\s", line, maxsplit=1)[0].lower()
+    many = re.sub(r"(\w)\((\w{1,3})\)", r"\1\2", head)  # "rnds", "sc23tog"
+    other = re.sub(r"\d\((\d)\)", r"\1", head)  # "sc3tog"
+    alone = re.sub(r"\s*\([^)]*\)", "", head)
+    return {word.strip() for said in (head, many, other, alone) for word in re.split(r",|\bor\b|/", said)}
+
+
 def _ours(book: Book, parts: tuple[PartText, ...]) -> list[tuple[str, str]]:
     """The abbreviations of our words that stand in the text, of which her lists say nothing."""
     assert book.hers is not None
-    hers = {said.lower() for said in book.hers.terms}
+    hers = {said.lower() for said in book.hers.terms} | {said for line in book.hers.listed for said in _explained(line)}
     text = " ".join(f"{row.label} {row.words}" for part in parts for row in part.lines)
     return [
         (said, meaning)

@@ -55,7 +55,7 @@ class Rounds:
         """Lines outside rounds: a sentence each, but stitches in a row stay together."""
         if line.makes:
             return [Row("", sentence(self.items(line, closing)), colors=hues_of(all_of(line)))]
-        alone = [d for unit, times in line.pieces for _ in range(times) for d in unit]
+        alone = [d for unit, times in line.pieces for _ in range(times) for d in unit if not self._inner(d)]
         return [Row("", sentence(self.done(d, closing)), colors=hues_of([d])) for d in alone]
 
     def numbered(self, line: Written, kind: str, closing: bool) -> Row:
@@ -82,9 +82,18 @@ class Rounds:
             return f"{self.items(rest, closing)} {self.phrases.say('fold')}"  # as people say it
         said = []
         for unit, times in line.pieces:
+            unit = tuple(d for d in unit if not self._inner(d))
+            if not unit:
+                continue
             words = ", ".join(self.done(d, closing) for d in unit)
             said.append(words if times == 1 else self.phrases.say("group", items=words, count=times))
         return ", ".join(said)
+
+    def _inner(self, done: Done) -> bool:
+        """Whether a mark is of the reading alone, and none that a maker puts."""
+        if self.exact or done.what != "mark" or not self.pattern.terms:
+            return False
+        return done.labels[0].lower() not in self.pattern.text.text.lower()
 
     def done(self, done: Done, closing: bool) -> str:
         """One thing done; of ``closing`` parts, the end is gathered."""

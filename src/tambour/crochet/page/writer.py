@@ -36,6 +36,12 @@ _AT_END: Final = re.compile(
 """A count of several rounds: "24 sc at end of 3rd rnd"."""
 _CLOSED: Final = 8
 """A part whose last rounds have so few stitches is closed by them."""
+_EDGED: Final = " edging"
+_HEADS_ROUND: Final = re.compile(
+    r"(?:rounds?|rnds?|rows?|r)\b\.?\s*\d|\d+(?:st|nd|rd|th)?\s+(?:rounds?|rnds?|rows?)\b", re.IGNORECASE
+)
+_SHORT_HEAD: Final = re.compile(r"[A-ZÀ-Þ][^\W\d]*(?:[ /&'’-]+[^\W\d]+){0,5}")
+"""A heading: a few words, no number, no point."""
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
@@ -324,11 +330,24 @@ class Writer:
             name = hers[0] if hers is not None else name
             number = re.fullmatch(r"part_(\d+)", name)
             name = f"{self.terms.word('part').capitalize()} {number[1]}" if number is not None else name
+            name = self._over(name, span) or name
         taken = {s.lower() for spellings in self.terms.words.values() for s in spellings}
         part = self.terms.word("part")
         if self.exact and (name.lower() in taken or name.lower().startswith(part.lower())):
             return f"{part}: {name}"
         return name
+
+    def _over(self, name: str, span: Span) -> str:
+        """What she heads a part with whose name is ours: an edging, a part with a number; "" where she heads it with nothing short."""
+        text = self.pattern.text.text
+        own = " ".join(text[span.start : span.end].split())
+        if name.endswith(_EDGED):
+            found = own
+        elif name == f"{self.terms.word('part').capitalize()} {name.rpartition(' ')[2]}" and _HEADS_ROUND.match(own):
+            found = text[: span.start].rstrip().rpartition("\n")[2].strip(" *_#:=~")
+        else:
+            return ""
+        return found if _SHORT_HEAD.fullmatch(found) and _EDGED.strip() not in found.lower() else ""
 
     def _stuffing(self, section: Section, part: int) -> list[str]:
         if section.stuffing is None and not self.exact and fills(self.built, part):

@@ -24,6 +24,8 @@ from tambour.crochet.printed.repeats import led
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
 
+BESIDE: Final = "another piece is joined here"
+"""How the doubt begins of a round that goes through two pieces, and is drawn on one of them."""
 READINGS: Final = {
     "one": ("stitch after stitch", "all in one stitch"),
     "one glued": ("stitch after stitch", "all in one stitch"),
@@ -183,7 +185,7 @@ def decided(
     if body.fit == 2 and body.stated is not None and edge and chain is None:
         body.items = _without_rest(body.items, edge, source.stitches)
     if body.both:
-        said = "another piece is joined here: it is worked on the one at the hook"
+        said = f"{BESIDE}: it is worked on the one at the hook"
         source.doubt(said, "the pieces stand beside each other", Span(tokens[0].start, tokens[-1].end))
     if body.bent:
         span = Span(tokens[0].start, tokens[-1].end)

@@ -36,6 +36,7 @@ from tambour.crochet.printed.notes import Heading, plain_name
 from tambour.crochet.printed.opening import alone, founds, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import WRAPPED, text_line
+from tambour.crochet.printed.spoken_of import spoken_of
 from tambour.crochet.printed.state import Height, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unheaded import unheaded
@@ -179,12 +180,17 @@ class Printed(Headed):
         )
         if found is None:
             return pattern
-        self.lost = found.lost
-        for span in found.lost:
+        usually, found.finish = spoken_of(self, pattern, found.finish)
+        self.lost = [s for s in found.lost if not any(s.start < at.end and at.start < s.end for at in usually.values())]
+        for span in self.lost:
             hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
             source.doubt(UNPLACED, hint, span)
+        hint = "say the rounds, and how many stitches apart, to have them elsewhere"
+        for name, span in usually.items():
+            where = [one for one in found.guessed if one.partition(" on ")[0] == name]
+            source.doubt(f"{GUESSED}: {'; '.join(dict.fromkeys(where)) or name}", hint, span)
+        found.guessed = [one for one in found.guessed if one.partition(" on ")[0] not in usually]
         if found.guessed:
-            hint = "say the rounds, and how many stitches apart, to have them elsewhere"
             source.doubt(f"{GUESSED}: {told(found)}", hint, self._named(found.guessed[0]))
         if found.apart:
             hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
