@@ -98,6 +98,26 @@ def test_plies_wind_about_the_tube() -> None:
     assert np.abs(phase[reach > 1.08] - np.round(phase[reach > 1.08])).max() < 0.2
 
 
+@pytest.mark.parametrize("climb", [6.0, -6.0])
+def test_a_twist_is_even_as_seen_from_outside(climb: float) -> None:
+    """A helix to one side opens its plies, one to the other closes them: of a V's legs one looked untwisted, the other a corkscrew."""
+    t = np.linspace(0.0, 12.0, 600)
+    line = np.stack([6.0 * np.cos(t), climb * t, 6.0 * np.sin(t)], axis=1)
+    outward = np.stack([np.cos(t), np.zeros(600), np.sin(t)], axis=1)
+
+    def winds(**more: np.ndarray) -> float:
+        """Turns of the twist a millimetre, as seen on the outer side."""
+        mesh = tube.sweep(strands(line), sides=48, lay=10.0, **more)
+        rings, uv = (each[1 + 48 : -1 - 48].reshape(600, 48, -1) for each in (mesh.vertices, mesh.uv))
+        outer = ((rings - line[:, None]) * outward[:, None]).sum(2).argmax(1)
+        at = np.arange(600), outer
+        phase = np.unwrap(uv[*at, 0] - uv[*at, 1], period=1.0)
+        return float(np.polyfit(np.hypot(6.0, climb) * t, phase, 1)[0])
+
+    assert abs(winds() - 0.1) > 0.01
+    assert winds(outward=outward) == pytest.approx(0.1, rel=0.02)
+
+
 def test_normals_against_faces() -> None:
     mesh = tube.sweep(strands(helix()), sides=24)
     normals = vertex_normals(mesh.vertices, mesh.faces)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sin, sqrt
+from math import atan2, cos, floor, pi, sin, sqrt
 
 import numpy as np
 
@@ -16,6 +16,9 @@ SOFT = 0.1
 """How round the bottom of the groove between plies is: fibres fill it, and a sharp one is a crease."""
 FLOOR, RISE, MEAN = sqrt(SOFT), sqrt(1.0 + SOFT) - sqrt(SOFT), 0.568
 """Where such a bottom lies and how far a ply rises over it, before both are scaled to be as deep as asked; and its mean height, of 1."""
+
+FACED = 1.6
+"""By so many times its own rate a twist is turned back or on at the most where its strand's bends would be seen in it."""
 
 
 @kernel
@@ -85,11 +88,15 @@ def _rings(
     plies: int,
     groove: float,
     wander: float,
+    more: F8x1,
     vertices: F8x2,
     uv: F8x2,
     faces: I4x2,
 ) -> None:
-    """Vertices, uv and faces of all tubes: per strand a pole, its rings, a pole; two more rings round off the ends."""
+    """Vertices, uv and faces of all tubes: per strand a pole, its rings, a pole; two more rings round off the ends.
+
+    more : (P,) turns of the twist besides
+    """
     vertex, face = 0, 0
     for s in range(len(offsets) - 1):
         first, last = offsets[s], offsets[s + 1]
@@ -117,6 +124,7 @@ def _rings(
             bx, by, bz = ty * az - tz * ay, tz * ax - tx * az, tx * ay - ty * ax
             turns = (along + out) / lay
             turns += wander * (sin(2.1 * turns) + 2.2 * sin(0.57 * turns) + 0.5 * sin(4.3 * turns))
+            turns += more[i]
             if r == 0:
                 vertices[vertex] = coords[i] - radius[i] * 0.8 * tangent[i]
                 uv[vertex, 0], uv[vertex, 1] = turns, 0.0
@@ -153,6 +161,32 @@ def _rings(
             face += 1
 
 
+@kernel
+def _faced(coords: F8x2, offsets: I8x1, tangent: F8x2, across: F8x2, outward: F8x2, most: float, turns: F8x1) -> None:
+    """Fill ``turns`` (P,): how far each strand's side towards ``outward`` has turned about it since the strand began; ``most`` turns a mm."""
+    for s in range(len(offsets) - 1):
+        before, total, wide = 0.0, 0.0, 0.0
+        for i in range(offsets[s], offsets[s + 1]):
+            tx, ty, tz = tangent[i, 0], tangent[i, 1], tangent[i, 2]
+            ax, ay, az = across[i, 0], across[i, 1], across[i, 2]
+            nx, ny, nz = outward[i, 0], outward[i, 1], outward[i, 2]
+            c = nx * ax + ny * ay + nz * az
+            d = nx * (ty * az - tz * ay) + ny * (tz * ax - tx * az) + nz * (tx * ay - ty * ax)
+            now = atan2(d, c) / (2.0 * pi)
+            if i > offsets[s]:
+                step = 0.0
+                for k in range(3):
+                    step += (coords[i, k] - coords[i - 1, k]) ** 2
+                step = sqrt(step)
+                gone = now - before
+                gone -= floor(gone + 0.5)
+                # Where the strand goes straight out or in, no side of it is the outer one.
+                gone *= min(wide, c * c + d * d)
+                total += min(most * step, max(-most * step, gone))
+            before, wide = now, c * c + d * d
+            turns[i] = total
+
+
 def sweep(
     strands: Strands,
     *,
@@ -163,6 +197,7 @@ def sweep(
     wander: float = 0.0,
     material: str = "yarn",
     side: Array | None = None,
+    outward: Array | None = None,
 ) -> Mesh:
     """Round tubes with rounded ends along strands.
 
@@ -174,6 +209,7 @@ def sweep(
     material : the name of the faces' group, which tells the renderer what it looks at
     side : (N, 3) the direction that each strand's first corner points to; given, tubes of strands that move do not
         jump about their axis between frames
+    outward : (P, 3) unit vectors; given, the twist is even as seen from there, as far as a strand's bends would tighten or open it
 
     Returns a closed mesh with a vertex colour (the strand's), uv = (turns of twist along, turns around), faces
     counter-clockwise outside. A point's radius scales its ring; the twist's phase starts anew on each strand.
@@ -186,8 +222,13 @@ def sweep(
     frames(coords, offsets, tangent, across, np.zeros((0, 3)) if side is None else np.asarray(side, np.float64))
     vertices, uv = np.zeros((int(sizes.sum()), 3)), np.zeros((int(sizes.sum()), 2))
     faces = np.zeros((int((2 * sides * rings[count > 1]).sum()), 3), np.int32)
+    more = np.zeros(len(coords))
     turn = lay * float(strands.radius.max(initial=0.0) or 1.0)
-    _rings(coords, offsets, strands.radius, tangent, across, sides, turn, plies, groove, wander, vertices, uv, faces)
+    if outward is not None:
+        _faced(coords, offsets, tangent, across, outward, FACED / turn, more)
+    _rings(
+        coords, offsets, strands.radius, tangent, across, sides, turn, plies, groove, wander, more, vertices, uv, faces
+    )
     return Mesh(
         vertices,
         faces,

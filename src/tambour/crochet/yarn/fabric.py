@@ -26,6 +26,7 @@ from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.crochet.yarn.upright import upright
 from tambour.geometry.motion import length
+from tambour.geometry.surface import vertex_normals
 from tambour.geometry.tube import MEAN, sweep
 from tambour.noise import stream
 
@@ -250,6 +251,15 @@ def _spun(made: Strands, full: float) -> Strands:
     )
 
 
+def _outward(made: Strands, graph: StitchGraph, positions: Array) -> Array:
+    """Where (P, 3) the outside of the fabric is from every point of its yarn; the same for neighbours, as nearly as the fabric bends."""
+    from scipy.ndimage import uniform_filter1d
+
+    normals = vertex_normals(positions, graph.faces)[made.point_data["stitch"]]
+    smoothed = uniform_filter1d(normals, 25, axis=0, mode="nearest")
+    return np.ascontiguousarray(smoothed / np.maximum(length(smoothed), 1e-9)[:, None])
+
+
 SIDES = {"low": 4, "medium": 6, "high": 10, "near": 10, "photo": 10}
 """Detail → corners of the yarn's cross-section; near: for pictures that show few stitches, photo: for those of a camera."""
 NEAR = 1200
@@ -260,7 +270,7 @@ GROOVE = 0.22
 """How deep the plies of such yarn lie apart in its outline, in radii drawn."""
 WANDER = 0.06
 """Yarn is twisted more and less along its way, by so many turns."""
-SWOLLEN = 1.08
+SWOLLEN = 1.11
 """Spun yarn that gives way to its neighbours is drawn so much thicker: legs of Vs touch, and leave no web of heads to be seen between them."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
@@ -268,7 +278,7 @@ KINKS = 6
 """How often the bends of such yarn are shared with their neighbours: strands that were pushed apart have kinks."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 8.2
+LAY = 7.4
 """Radii along which plies wind once about the yarn: they lie 37 degrees to its way, as in worsted of four plies. At 13 a leg of a V showed one
 shallow groove, and nobody saw plies; at 7.5 the leg that leans against the twist showed them lying along it, and the other a corkscrew."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
@@ -309,11 +319,21 @@ def mesh(
         # Long segments hide how near hairpins come to themselves: what is drawn is looked at once more, without its kinks.
         coords = eased_out(coords, ends, KINKS)
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
-        made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data={})
+        data = {name: values[of.astype(np.int64)] for name, values in made.point_data.items()}
+        made = replace(made, paths=Paths(coords, ends), radius=points.between(made.radius, of), point_data=data)
         plies, sides = kind.plies, 20
     else:
         plies, sides = 0, SIDES[detail]
-    yarn = sweep(made, sides=sides, lay=LAY, plies=plies, groove=GROOVE, wander=WANDER, material=kind.surface)
+    yarn = sweep(
+        made,
+        sides=sides,
+        lay=LAY,
+        plies=plies,
+        groove=GROOVE,
+        wander=WANDER,
+        material=kind.surface,
+        outward=_outward(made, graph, positions) if plies else None,
+    )
     if detail in ("near", "photo") and kind.plies:
         # Pile and halo lie in each other; spun yarn gives way.
         along = ALONG * graph.stitch_width * RATIO

@@ -16,7 +16,7 @@ from tambour.crochet.yarn.near import pairs
 
 SHOULDER: Final = 3
 """How round yarn is between where it is free and where it is pressed: the higher this power, the sharper its shoulder."""
-LEAST: Final = 0.34
+LEAST: Final = 0.56
 """What of its radius is left of yarn at the least, to any side."""
 FULLER: Final = 1.2
 """So many times as thick grows at the most, to its free sides, what is pressed from others: yarn is not lost."""
@@ -57,13 +57,15 @@ def _press(
     begin: int,
     end: int,
     vertices: F8x2,
+    left: F8x2,
 ) -> None:
-    """Move the vertices of the rings of points ``begin`` to ``end``: none further out than half way to another strand.
+    """Fill ``left`` (P, sides) for points ``begin`` to ``end``: what is left of how far out each corner of a ring stands, none further
+    than half way to another strand.
 
     ring : (P,) the first vertex of each point's ring, or -1; first, beside : the segments near each segment
-    ridge : how far out, in radii, the plies of a ring stand. They are pressed as one, and lie as deep between them as before
+    ridge : how far out, in radii, the plies of a ring stand. They are pressed as one
     """
-    room, wide, way, wave = np.zeros(sides), np.zeros(sides), np.zeros((sides, 3)), np.zeros(sides)
+    room, wide, way = np.zeros(sides), np.zeros(sides), np.zeros((sides, 3))
     m = np.zeros(3)
     for i in range(begin, end):
         if ring[i] < 0:
@@ -76,7 +78,6 @@ def _press(
             wide[k], room[k] = sqrt(size), 1e9
             for c in range(3):
                 way[k, c] /= max(wide[k], 1e-12)
-            wave[k] = wide[k] / (ridge * radius[i])
             wide[k] = ridge * radius[i]
         touched = False
         for own in range(max(i - 1, 0), i + 1):
@@ -111,15 +112,32 @@ def _press(
             kept = whole = 0.0
             for k in range(sides):
                 w = fuller * wide[k]
-                left = w / (1.0 + (w / room[k]) ** SHOULDER) ** (1.0 / SHOULDER)
-                kept += left * left
+                out = w / (1.0 + (w / room[k]) ** SHOULDER) ** (1.0 / SHOULDER)
+                kept += out * out
                 whole += wide[k] * wide[k]
             fuller = min(FULLER, max(1.0, fuller * sqrt(KEPT * whole / max(kept, 1e-18))))
         for k in range(sides):
             w = fuller * wide[k]
-            left = max(LEAST * wide[k], w / (1.0 + (w / room[k]) ** SHOULDER) ** (1.0 / SHOULDER))
+            left[i, k] = max(LEAST, w / (1.0 + (w / room[k]) ** SHOULDER) ** (1.0 / SHOULDER) / wide[k])
+
+
+@kernel
+def _moved(coords: F8x2, ring: I8x1, sides: int, begin: int, end: int, left: F8x2, vertices: F8x2) -> None:
+    """Move the vertices of the rings of points ``begin`` to ``end`` in by ``left``, shared with their neighbours: what is soft has no dent with an edge."""
+    for i in range(begin, end):
+        if ring[i] < 0:
+            continue
+        before = i - 1 if i > 0 and ring[i - 1] >= 0 and ring[i] - ring[i - 1] == sides else i
+        after = i + 1 if i + 1 < len(ring) and ring[i + 1] - ring[i] == sides else i
+        for k in range(sides):
+            a, b = (k + sides - 1) % sides, (k + 1) % sides
+            share_of = (
+                0.25 * (left[before, k] + left[after, k] + left[i, a] + left[i, b])
+                + 0.125 * (left[before, a] + left[before, b] + left[after, a] + left[after, b])
+                + 0.5 * left[i, k]
+            ) / 2.0
             for c in range(3):
-                vertices[ring[i] + k, c] = coords[i, c] + wave[k] * left * way[k, c]
+                vertices[ring[i] + k, c] = coords[i, c] + share_of * (vertices[ring[i] + k, c] - coords[i, c])
 
 
 def pressed(made: Strands, vertices: Array, sides: int, along: float, ridge: float = 1.0) -> Array:
@@ -140,10 +158,11 @@ def pressed(made: Strands, vertices: Array, sides: int, along: float, ridge: flo
     begin = np.cumsum(swept) - swept + 1 + sides
     ring = np.repeat(np.where(count > 1, begin - ends[:-1] * sides, -1), count)
     ring = np.where(ring < 0, -1, ring + sides * np.arange(len(coords))) if len(ring) else ring
-    out = np.array(vertices)
+    out, left = np.array(vertices), np.ones((len(coords), sides))
     share(
         len(coords),
         POINTS,
-        lambda a, b: _press(coords, made.radius, ring, first, beside, sides, ridge, a, b, out),
+        lambda a, b: _press(coords, made.radius, ring, first, beside, sides, ridge, a, b, out, left),
     )
+    share(len(coords), POINTS, lambda a, b: _moved(coords, ring, sides, a, b, left, out))
     return out
