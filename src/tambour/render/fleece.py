@@ -10,10 +10,16 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.noise import stream
 
-AROUND: Final = 96
+AROUND: Final = 256
 """Texels of the fibres' tile around a strand, and along one turn of its twist."""
-WISPS: Final = ((0.8, 0, 14), (1.0, 1, 20), (0.9, 4, 30))
-"""How strongly single fibres and wisps of them show, how many texels wide they are to either side, and how long."""
+FIBRES: Final = 3200
+"""Fibres that lie in the tile, one over the other."""
+SLANT: Final = (0.28, 0.5)
+"""How far fibres lie across the strand's way, in radians: spread of single ones, and how much each turns along its length."""
+LONG: Final = (30.0, 110.0)
+"""How long fibres are, in texels: the shortest and the longest."""
+WISPS: Final = ((0.55, 2, 6), (0.40, 6, 16))
+"""How strongly wisps of fibres show, beside single ones, how many texels wide they are to either side, and how long."""
 TONES: Final = 1024
 """Rows of the table of tones."""
 
@@ -22,12 +28,25 @@ TONES: Final = 1024
 def fibres() -> Array:
     """(N, N, 3): height of the fibres on a strand, mean 0, spread 1, and its slopes along v (around) and u (along).
 
-    Rows run around the strand, columns along a turn of its twist; both wrap. Fibres are a texel or two wide and a quarter
-    of a turn long; they lie in wisps of a few and of many.
+    Rows run around the strand, columns along a turn of its twist; both wrap. Fibres are two texels wide; they cross and bow, none
+    as long as the tile: combed ones would look like straw.
     """
-    height = np.zeros((AROUND, AROUND))
-    for number, (share, wide, long) in enumerate(WISPS):
-        height += share * _even(_blurred(stream("fleece", 5, number).random((AROUND, AROUND)), wide, long))
+    rough = stream("fleece", 5)
+    where = rough.random((2, FIBRES)) * AROUND
+    slant, bow = rough.standard_normal(FIBRES) * SLANT[0], rough.uniform(-1.0, 1.0, FIBRES) * SLANT[1]
+    long = LONG[0] + (LONG[1] - LONG[0]) * rough.random(FIBRES) ** 2
+    at = np.arange(-0.5, 0.5, 1.0 / LONG[1])
+    along = at * long[:, None]
+    across = along * np.tan(slant)[:, None] + bow[:, None] * long[:, None] * (at * at - 0.08)
+    # What was drawn last lies on top, highest in the middle of its length: its ends dive.
+    lies = rough.uniform(-1.0, 1.0, FIBRES)[:, None] + 0.8 * (1.0 - 8.0 * at**4)
+    row, column = np.floor(where[0][:, None] + across).astype(int), np.floor(where[1][:, None] + along).astype(int)
+    single = np.zeros((AROUND, AROUND))
+    for beside, low in ((1, 0.5), (0, 0.0)):
+        single[(row + beside) % AROUND, column % AROUND] = lies - low
+    height = _even(_blurred(single, 1, 1))
+    for number, (share, wide, far) in enumerate(WISPS):
+        height += share * _even(_blurred(stream("fleece", 5, number).random((AROUND, AROUND)), wide, far))
     height = _even(height)
     around = 0.5 * AROUND * (np.roll(height, -1, 0) - np.roll(height, 1, 0))
     along = 0.5 * AROUND * (np.roll(height, -1, 1) - np.roll(height, 1, 1))

@@ -14,7 +14,7 @@ from tambour.core.arrays import F4x2, F4x3, F8x1, F8x2, F8x3, I4x1, I4x2
 from tambour.core.kernels import kernel
 from tambour.noise import uniform
 from tambour.render.light import seen
-from tambour.render.shade import DYED, FINE, HAIRS, REACH
+from tambour.render.shade import DYED, FINE, HAIRS, PLIES, REACH, TILES
 
 MOST = 0.5
 """Hairs per pixel of a surface at the most: beyond, each stands for several and is as much thicker."""
@@ -24,10 +24,14 @@ OPEN = 1.4
 """How many hairs show of those that stand where a share of the lights comes to, as so many times that share: in a hollow they lie pressed."""
 DIM = 0.85
 """How dark a hair in the shade may be, as a share of the light that comes from the surface where it stands."""
-ROOTS, TIPS = 0.84, 1.14
+ROOTS, TIPS = 0.88, 1.0
 """How light a hair is where it stands among others, and at its end."""
-WISP, SLEEK = 2.4, 0.25
+WISP, SLEEK = 2.4, 0.18
 """Wisps to a turn of the twist; what hairs stand between them, as a share of what stands in the mean."""
+WORN = 0.7
+"""Stretches to a turn of the twist that differ in how fuzzy they are."""
+PILE = 6.0
+"""A surface without plies and with more tiles of fibres than this is a pile."""
 STEP = 1.3
 """Pixels between the points of a hair."""
 BENDS = 28
@@ -103,7 +107,8 @@ def hairs(
             continue
         pixel = scale * z[a]  # pixels a mm
         per = wanted / (radius * radius)
-        most = MOST * pixel * pixel
+        pile = table[m, PLIES] == 0.0 and table[m, TILES] > PILE
+        most = (3.0 if pile else 1.0) * MOST * pixel * pixel
         stands = max(1.0, per / most)
         count = 0.5 * twice * per / stands
         if len(uv) > 0:
@@ -112,6 +117,9 @@ def hairs(
             spot = np.uint64(along) * np.uint64(31) + np.uint64(beside)
             wisp = uniform(spot, np.uint64(7))
             count *= SLEEK + (3.0 - 3.0 * SLEEK) * wisp * wisp
+            # Some of its way it is handled more than elsewhere.
+            worn = uniform(np.uint64(floor(WORN * uv[a, 0]) + (1 << 40)), np.uint64(9))
+            count *= 0.4 + 1.2 * worn
         key = np.uint64(f)
         many = int(count)
         if uniform(key, np.uint64(0)) < count - many:
@@ -147,7 +155,15 @@ def hairs(
             )
             # Most are short; few are long, and no two alike.
             rare = r2 * r2 * r2
-            long = radius * table[m, REACH] * (0.10 + 0.42 * r2 * r2 + 0.5 * rare * r2 + 2.4 * rare * rare * rare)
+            if pile:
+                # Cut to one length, nearly.
+                long = radius * table[m, REACH] * (0.35 + 0.45 * r2 + 0.3 * rare)
+            else:
+                long = (
+                    radius
+                    * table[m, REACH]
+                    * (0.09 + 0.38 * r2 * r2 + 0.45 * rare * rare + 2.3 * rare * rare * rare * rare)
+                )
             size = 0.0
             for k in range(3):
                 p[k] = vertices[a, k] + r0 * (vertices[b, k] - vertices[a, k]) + r1 * (vertices[c, k] - vertices[a, k])
@@ -170,7 +186,7 @@ def hairs(
                 continue
             s[0], s[1], s[2] = n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]
             # It leaves its strand at some slant, along it either way, and bows as it goes.
-            lift = 0.15 + 0.85 * r3 * (0.4 + 0.6 * r2)
+            lift = 0.14 + 0.7 * r3 * (0.4 + 0.6 * r2)
             ahead, aside = 2.0 * r4 - 1.0, 1.6 * (r5 - 0.5)
             size = 0.0
             for k in range(3):
@@ -221,7 +237,8 @@ def hairs(
                 # In the shade it takes what the yarn about it throws back.
                 light[k] = max(light[k] * tone * albedo, DIM * out[row, column, k])
             thick = min(
-                2.0 * radius * table[m, FINE] * pixel * stands, max(WIDEST, 2.0 * radius * table[m, FINE] * pixel)
+                2.0 * radius * table[m, FINE] * pixel * stands,
+                max(0.5 if pile else WIDEST, 2.0 * radius * table[m, FINE] * pixel),
             )
             steps = min(BENDS, max(4, int(long * pixel / STEP)))
             bends = 0.7 + 2.2 * r4 * r4

@@ -19,7 +19,7 @@ DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.16  # how much lighter and darker single fibres are: less, and wool looks like clay
 SOFT = 0.08  # how round the bottom of the groove between plies is
-DARK, DARKEST = 2.4, 0.75  # how much of the light the groove between plies keeps out, for its depth, and at the most
+DARK, DARKEST = 1.7, 0.55  # how much of the light the groove between plies keeps out, for its depth, and at the most
 
 
 @kernel
