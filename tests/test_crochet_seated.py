@@ -6,7 +6,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
 from tambour.crochet.places.face import motifs
 from tambour.crochet.places.stand import Host, Stand, numbers_of
 from tambour.crochet.printed.pattern import read_printed
@@ -190,3 +190,44 @@ def test_strips_on_the_back_of_a_head_leave_its_face_free():
 def test_dots_that_are_worked_in_are_not_drawn():
     assert motifs("each polka dot is worked over 3 rounds") == motifs("the dots are 2 sts wide") == []
     assert motifs("embroider dots that are 2 sts wide") == ["dots"]
+
+
+def test_nostrils_that_are_created_are_on_the_snout():
+    snout = "SNOUT\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-4: sc around (12)\nFasten off.\n\n"
+    text = (
+        f"Pig\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{snout}Put 8 mm safety eyes between rounds 5 and 6 of the body. Sew the snout to the body. "
+        "With pink, create nostrils by making 2 tight stitches in the snout, and fasten them to the body.\n"
+    )
+    pattern = read_printed(Text(text, "pig.txt"))
+    drawn = [r for r in pattern.finish if isinstance(r, Embroidery)]
+    assert drawn and {s.part for r in drawn for s in r.spots} == {"SNOUT"} and {r.motif for r in drawn} == {"nostrils"}
+
+
+@pytest.mark.parametrize(
+    "cut",
+    [
+        "Cut 20 lengths of white, 12 cm long, and knot them in as a fringe.",
+        'Cut 20 x 5" [12.5 cm] lengths of white for it.',
+    ],
+)
+def test_a_beard_of_strands_hangs_below_the_nose(cut):
+    nose = "NOSE\nRnd 1: 6 sc in MR (6)\nRnds 2-3: sc around (6)\nFasten off.\n\n"
+    text = (
+        f"Gnome\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{nose}BEARD\n{cut}\n\nFINISHING\n"
+        "Sew the nose to the body at Rnd 7. Tie the beard under the nose.\n"
+    )
+    pattern = read_printed(Text(text, "gnome.txt"))
+    beard = [r for r in pattern.finish if isinstance(r, Hair)]
+    assert len(beard) == 1 and beard[0].count == 20 and 100.0 < beard[0].length < 130.0
+    down = 1.0 if next(p for p in pattern.parts if p.name == "BODY").up == "start" else -1.0
+    assert all(down * (s.round - placed(pattern)["NOSE"].spot.round) > 0.0 for s in beard[0].spots)
+
+
+def test_a_monkeys_ears_are_at_the_height_of_its_eyes():
+    ears = "EARS (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nFasten off.\n\n"
+    rounds = {}
+    for name in ("Monkey", "Bear"):
+        text = f"{name}\n\n{BALL.format('HEAD', 'Stuff. Fasten off.')}{BALL.format('BODY', 'Stuff. Fasten off.')}{ears}Sew head to body. Sew ears to head as shown.\n"
+        pattern = read_printed(Text(text, "toy.txt"))
+        rounds[name] = placed(pattern)["EARS.1"].spot.round
+    assert rounds["Monkey"] >= rounds["Bear"] + 2

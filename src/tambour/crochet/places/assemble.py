@@ -116,6 +116,7 @@ class Assembly(Hosts):
         if self.parts:
             self._tailored()
             self._shaped()
+        self.sentences = sentences
         self.heard = Heard(self.parts, sentences, self.text)
         self.heard.puts[:0] = self._worked_in()
         self.made.unstuffed += sorted(gone & own)
@@ -199,7 +200,7 @@ class Assembly(Hosts):
             if feature.what != "safety eyes":
                 self.out += [(feature.order, record) for record in put.feature(feature)]
         if usual:
-            self.out += [(10_001, record) for record in bundles(self, put._lies((self.main, 1)))]
+            self.out += [(10_001, record) for record in bundles(self, put._lies((self.main, 1)), put)]
         # What is said to the stitch, as a hand that moved a part wrote it, stands for all that is said of it besides; the
         # others stay where they would be with it.
         exact = {r.part for r, _ in self.heard.exact if isinstance(r, Placed)}

@@ -16,7 +16,7 @@ EYED: Final = re.compile(
     r"go|goes|sit|sits|belong|pop(?:ped)?|snap(?:ped)?|fit(?:ted)?|press|screw|slot|clip)\b"
 )
 DRAWN: Final = re.compile(
-    r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
+    r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|create|draw|add|french knots?|whiskers|apply)\b"
 )
 ALL: Final = re.compile(
     r"\b(?:sew|attach|assemble|stitch|join|put)\s+(?:on\s+)?(?:everything|all (?:of )?(?:the |your )?(?:pieces|parts|limbs|bits)|the (?:pieces|parts)|(?:pieces|parts)|all together)\b"

@@ -10,12 +10,14 @@ import numpy as np
 from tambour.core.errors import Span
 from tambour.crochet.finish.hair import cut
 from tambour.crochet.language.finishes import Hair, Spot
+from tambour.crochet.places.hairdo import said_length, strands
 from tambour.crochet.places.said import length
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import usual
 
 if TYPE_CHECKING:
     from tambour.crochet.places.assemble import Assembly
+    from tambour.crochet.places.beside import Beside
 
 _POMPOM: Final = r"pom-?\s?po[mn]s?\b"
 _MADE: Final = rf"\bmak(?:e|ing)\b[^.\n]{{0,30}}{_POMPOM}"
@@ -24,6 +26,12 @@ _TAIL: Final = re.compile(
     rf"|(?P<alone>\bmak(?:e|ing) an? (?:\w+ )?{_POMPOM}(?: tail\b|[^.\n]{{0,40}}\b(?:for|as) (?:the |a |his |her |its )?tail\b))"
 )
 """A tail that is wound, or is a pompom: under its heading, or in a sentence."""
+_BEARD: Final = re.compile(
+    r"(?:^|\n)\s*(?:\w+ )?beard\b[ \t]*[:.]?\s{1,3}(?P<made>(?:[^\n]+\n)?[^\n]*?\bcut\b[^\n]*\b(?:lengths?|strands?|pieces?)\b[^\n]*)"
+)
+"""A beard of strands, under its heading."""
+_UNDER_NOSE, _BESIDE_IT = 0.6, (-2.5, 0.0, 2.5)
+"""So many stitches below a nose's lower edge, and beside its middle, the strands of a beard are knotted in."""
 _TIP: Final = re.compile(
     rf"{_MADE}[^.\n]{{0,40}}\b(?:sew|attach|fasten|tie)\w*\b[^.\n]{{0,20}}\b(?:tip|top|point|end) of (?:the )?(?:hat|cap|beanie)\b"
 )
@@ -36,8 +44,8 @@ _LONG: Final = 0.9
 """a tail is so long, as a share of its height."""
 
 
-def bundles(toy: Assembly, lies: bool) -> list[Hair]:
-    """The tail of yarn, and the pompom of a hat, that the text has one make. lies : whether the toy does."""
+def bundles(toy: Assembly, lies: bool, put: Beside) -> list[Hair]:
+    """The tail of yarn, the beard, and the pompom of a hat, that the text has one make. lies : whether the toy does; put : knows where its nose is."""
     made: list[Hair] = []
     tail = _TAIL.search(toy.text) if not any("tail" in p.kinds for p in toy.parts) else None
     if tail is not None:
@@ -50,6 +58,9 @@ def bundles(toy: Assembly, lies: bool) -> list[Hair]:
         toy.heard.lost[:] = [
             span for span, said in words if not re.search(r"(?<!long )(?<!yarn )\btail\b|\bbundle", said)
         ]
+    beard = _BEARD.search(toy.text) if not any("beard" in p.kinds for p in toy.parts) else None
+    if beard is not None:
+        made += _beard(toy, put, beard["made"], Span(*beard.span("made")))
     hat = next((p for p in toy.parts if p.single and p.kind == "hat" and not p.worn), None)
     tip = _TIP.search(toy.text) if hat is not None else None
     if tip is not None and hat is not None:
@@ -58,6 +69,27 @@ def bundles(toy: Assembly, lies: bool) -> list[Hair]:
         closed = first if len(host.levels[0][1]) <= len(host.levels[-1][1]) else last
         made += _bundle(toy, host, host.within(Spot(host.name, closed, 1.0)), tip[0], Span(*tip.span()))
     return made
+
+
+def _beard(toy: Assembly, put: Beside, words: str, span: Span) -> list[Hair]:
+    """The strands of a beard below the nose; none where no nose is known."""
+    known = put.known.get("nose")
+    if known is None or len(toy.text) != len(toy.built.pattern.text.text):
+        return []
+    made = next((p for p in toy.parts if known[0] in {p.copy(k) for k in range(1, p.copies + 1)}), None)
+    if made is None:
+        return []
+    host, nose = toy.host((made, 1)), np.mean(known[1], axis=0)
+    below = float(nose[1]) - put.deep.get("nose", 1.0) - _UNDER_NOSE
+    spots = [host.near(host.ahead(float(nose[0]) + off, below)) for off in _BESIDE_IT]
+    color = next(
+        (s.colors[-1][1] for s in toy.sentences if s.colors and span.start <= s.span.start < span.end), Hair(()).color
+    )
+    hangs = said_length(words) or 2.0 * float(host.box[1][1]) * toy.stitch
+    many = strands(words) or _STRANDS
+    return [
+        Hair(tuple(Spot(s.part, s.round, s.stitch, span) for s in spots), max(many, 12), round(hangs, 1), color, span)
+    ]
 
 
 def _bundle(toy: Assembly, host: Host, spot: Spot, words: str, span: Span) -> list[Hair]:

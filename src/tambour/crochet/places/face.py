@@ -60,6 +60,8 @@ def motifs(text: str) -> list[str]:
         names.remove("mouth")
     if len(names) > 1 and "cheeks" in names and "cheek" not in plain:
         names.remove("cheeks")  # "Use the blush to sew a small nose": a yarn
+    if {"nostrils", "nose"} <= set(names) and not re.search(r"\bnose\b", plain):
+        names.remove("nose")  # in a snout
     if "dots" in names and _WORKED.search(text):
         names.remove("dots")
     if len(names) > 1 and "dots" in names:

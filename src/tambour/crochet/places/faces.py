@@ -187,11 +187,14 @@ class Facer(Putter):
         masked = mask is not None and mask.name in placed and f.where.rounds is None
         if masked and mask is not None and (f.host is None or f.host[0].kind in ("head", "face")):
             return work.host((mask, 1))  # in front of the head
+        muzzle = work.of_kind("muzzle")
+        snouted = muzzle is not None and muzzle.name in placed and what == "nostrils" and f.where.rounds is None
+        if snouted and muzzle is not None and (f.host is None or f.host[0].kind in ("head", "body")):
+            return work.host((muzzle, 1))  # "make nostrils in the snout, and tack them to the head"
         if f.host is not None and not (what == "eye" and self._too_small(f)):
             two = {"head", "body"} <= set(work.main.kinds)
             region = (f.region if two else "head") if f.host[0] == work.main else ""
             return work.host((f.host[0], max(1, f.host[1])), "" if what in ("navel", "claws") and not two else region)
-        muzzle = work.of_kind("muzzle")
         if (
             what in ("nose", "v nose", "y nose", "mouth", "smile", "nostrils")
             and muzzle is not None

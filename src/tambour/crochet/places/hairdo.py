@@ -42,7 +42,7 @@ _ELSE: Final = re.compile(
 )
 """What strands are knotted to as well, and that is no head."""
 _MANY: Final = re.compile(
-    rf"\b({QUANTITY})\s+(?:\w+\s+){{0,2}}?(?:strands?|pieces?|lengths?)\b|\b({QUANTITY})\s+times\b"
+    rf"\b({QUANTITY})\s+(?:x\s+\d+\W{{1,3}}(?:cm|mm|in|inch)?(?:\s*\[[^\]]*\])?\s*)?(?:\w+\s+){{0,2}}?(?:strands?|pieces?|lengths?)\b|\b({QUANTITY})\s+times\b"
 )
 _CUT: Final = re.compile(r"\b(\d+(?:\.\d+)?)\s*-?\s*(cms?|mms?|ins?|inch(?:es)?|\"|centimet\w+)(?=\W|$)")
 _ALL: Final = re.compile(
@@ -88,7 +88,7 @@ def hairs(
     spans : of the sentences that say it, shared out among the records."""
     middle, half = host.box
     high = float(half[1])
-    cut = 2.0 * _hangs(text) * high * stitch if _said(text) is None else float(_said(text) or 0.0)
+    cut = 2.0 * _hangs(text) * high * stitch if said_length(text) is None else float(said_length(text) or 0.0)
     tied = bool(_TWO.search(text) or _ONE.search(text) or _BUN.search(text))
     lines: list[list[Spot]] = []
     if rounds is not None:
@@ -114,7 +114,7 @@ def hairs(
         for line in ([s for k, s in enumerate(line) if at(s) and (not k or s != line[k - 1])] for line in lines)
         if len(line) > 1
     ]
-    least = max(6, round((_many(text) or 0) / max(len(lines), 1)))
+    least = max(6, round((strands(text) or 0) / max(len(lines), 1)))
     made = []
     for k, line in enumerate(lines):
         count = max(least, round(CLOSE * _far(host, line) * (2.2 if len(lines) == 1 else 1.0)))
@@ -131,7 +131,7 @@ def hairs(
 
 def mane(hosts: list[Host], at: Callable[[Spot], bool], text: str, stitch: float, color: RGB, span: Span) -> list[Hair]:
     """A mane: strands along the crown and down the nape of every part of a head and its neck."""
-    cut = _said(text) or 2.0 * USUAL * float(hosts[0].box[1][1]) * stitch
+    cut = said_length(text) or 2.0 * USUAL * float(hosts[0].box[1][1]) * stitch
     made = []
     for k, host in enumerate(hosts):
         middle, half = host.box
@@ -149,7 +149,7 @@ def mane(hosts: list[Host], at: Callable[[Spot], bool], text: str, stitch: float
     return made
 
 
-def _said(text: str) -> float | None:
+def said_length(text: str) -> float | None:
     """How long strands are cut, mm, where it is said."""
     long, strands = LONG.search(text), re.search(r"\bcut\b|\b(?:strand|piece|length)s?\b", text)
     if long:  # a strand is folded in half; hair is as long as it hangs
@@ -169,7 +169,8 @@ def _hangs(text: str) -> float:
     return next((far for word, far in _CUT_TO.items() if word in text), USUAL)
 
 
-def _many(text: str) -> int | None:
+def strands(text: str) -> int | None:
+    """How many strands are cut, where it is said."""
     found = _MANY.search(text)
     return None if found is None else min(int(quantity(found[1] or found[2]) or 0), 160)
 

@@ -277,15 +277,14 @@ class Holder(Snouts):
     def _on_wall(self, copy: Copy, host: Host, point: Array) -> Array:
         """A place of a patch that lies on the front of a standing body, moved up or down until it lies on its wall, and reaches neither round
         its neck nor under it; a patch that is higher lies in the middle."""
-        own, upright = self.work.spots.parts[copy[0].copy(copy[1])], abs(float(host.axis[1])) >= _STANDS
-        if (
-            not (self.work.spots.in_rows[own] and copy[0].kind == "belly" and upright)
-            or self.work.spots.in_rows[host.part]
-        ):
+        rows, upright = self.work.spots.in_rows, abs(float(host.axis[1])) >= _STANDS
+        if copy[0].kind != "belly" or not upright or rows[host.part]:
             return point
         wide = max(len(ring) for _, ring in host.levels)
         wall = [float(ring[:, 1].mean()) for _, ring in host.levels if len(ring) >= _NARROWS * wide]
-        half = min(0.5 * len(self.work.host(copy).levels), 0.5 * (max(wall) - min(wall)))
+        own = self.work.host(copy)
+        half = 0.5 * len(own.levels) if rows[own.part] else max(len(ring) for _, ring in own.levels) / (2.0 * math.pi)
+        half = min(half, 0.5 * (max(wall) - min(wall)))
         high = min(max(float(point[1]), min(wall) + half), max(wall) - half)
         return host.ahead(float(point[0]), high)
 

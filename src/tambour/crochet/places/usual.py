@@ -187,7 +187,9 @@ def usual(
             pairs = replace(pairs, at=(0.78, 0.62, 0.0), axis=(0.5, -0.85, 0.1), line=_ALONG)
         if kind == "ear" and words & {"elephant"}:  # large ones, their faces ahead
             pairs = replace(pairs, at=(0.95, 0.3, 0.1), axis=(1.0, 0.1, -0.1), line=_UP)
-        elif kind == "ear" and words & {"monkey", "koala", "mouse", "chimp", "sloth"} and not long:
+        elif kind == "ear" and words & {"monkey", "chimp", "ape", "gorilla"} and not long:
+            pairs = replace(pairs, at=(0.97, 0.2, 0.0), axis=(0.97, 0.2, 0.0), line=(0.2, -0.97, 0.0))
+        elif kind == "ear" and words & {"koala", "mouse", "sloth"} and not long:
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(0.85, 0.5, 0.0), line=(0.5, -0.85, 0.0))
         elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe"}:
             pairs = replace(pairs, at=(0.85, 0.5, pairs.at[2]), axis=(1.0, -0.15, 0.0), line=_ALONG)
