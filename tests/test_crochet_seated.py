@@ -218,7 +218,7 @@ def test_a_beard_of_strands_hangs_below_the_nose(cut):
     )
     pattern = read_printed(Text(text, "gnome.txt"))
     beard = [r for r in pattern.finish if isinstance(r, Hair)]
-    assert len(beard) == 1 and beard[0].count == 20 and 100.0 < beard[0].length < 130.0
+    assert len(beard) == 1 and beard[0].count == 20 and 20.0 < beard[0].length < 60.0
     down = 1.0 if next(p for p in pattern.parts if p.name == "BODY").up == "start" else -1.0
     assert all(down * (s.round - placed(pattern)["NOSE"].spot.round) > 0.0 for s in beard[0].spots)
 
@@ -231,3 +231,21 @@ def test_a_monkeys_ears_are_at_the_height_of_its_eyes():
         pattern = read_printed(Text(text, "toy.txt"))
         rounds[name] = placed(pattern)["EARS.1"].spot.round
     assert rounds["Monkey"] >= rounds["Bear"] + 2
+
+
+def test_a_gnomes_nose_is_right_under_the_brim_that_is_sewn_over_it():
+    nose = "NOSE\nRnd 1: 6 sc in MR (6)\nRnds 2-3: sc around (6)\nFasten off.\n\n"
+    hat = "HAT\nRnd 1: 4 sc in MR (4)\nRnd 2: (sc, inc) x 2 (6)\nRnd 3: (sc, inc) x 3 (9)\nRnd 4: (2 sc, inc) x 3 (12)\nRnd 5: (sc, inc) x 6 (18)\nRnd 6: (2 sc, inc) x 6 (24)\nFasten off.\n\n"
+    rounds = []
+    for said in ("Sew the hat to the body over the top of the nose.", "Sew the hat to the body."):
+        text = f"Gnome\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{hat}{nose}FINISHING\nStitch the nose in position. {said}\n"
+        rounds.append(placed(read_printed(Text(text, "gnome.txt")))["NOSE"].spot.round)
+    assert abs(rounds[0] - rounds[1]) >= 1.5
+
+
+@pytest.mark.parametrize(("name", "up"), [("Bunny", True), ("Bear", False)])
+def test_the_ears_of_a_bunny_stand_up_though_they_are_short(name, up):
+    ears = "EARS (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-4: sc around (12)\nFasten off. Fold flat.\n\n"
+    text = f"{name}\n\n{BALL.format('HEAD', 'Stuff. Fasten off.')}{BALL.format('BODY', 'Stuff. Fasten off.')}{ears}Sew head to body. Sew ears to top of head.\n"
+    record = placed(read_printed(Text(text, "toy.txt")))["EARS.1"]
+    assert (90.0 <= record.towards <= 270.0) != up  # leaning upwards from where it is sewn, or down and out

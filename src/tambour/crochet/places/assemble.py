@@ -180,6 +180,10 @@ class Assembly(Hosts):
         put = Facer(self)
         waiting = self._tree()
         self._fill(waiting)
+        if any(p.kind == "hat" and any(b[:2] == ("over", "nose") for b in p.where.beside) for p in self.heard.puts):
+            for p in waiting:  # a gnome's nose looks out from under the brim
+                if p.kind == "nose" and not p.where.says:
+                    p.where = replace(p.where, words=p.where.words | {"upper"})
         put.snouts = [
             p for p in waiting if p.kind in _SNOUTS and any(b[:2] == ("between", "eye") for b in p.where.beside)
         ]

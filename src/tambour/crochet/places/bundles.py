@@ -30,6 +30,8 @@ _BEARD: Final = re.compile(
     r"(?:^|\n)\s*(?:\w+ )?beard\b[ \t]*[:.]?\s{1,3}(?P<made>(?:[^\n]+\n)?[^\n]*?\bcut\b[^\n]*\b(?:lengths?|strands?|pieces?)\b[^\n]*)"
 )
 """A beard of strands, under its heading."""
+_TRIMMED: Final = 0.85
+"""A beard reaches no farther than so much of the way down to what its wearer stands on."""
 _UNDER_NOSE, _BESIDE_IT = 0.6, (-2.5, 0.0, 2.5)
 """So many stitches below a nose's lower edge, and beside its middle, the strands of a beard are knotted in."""
 _TIP: Final = re.compile(
@@ -85,7 +87,8 @@ def _beard(toy: Assembly, put: Beside, words: str, span: Span) -> list[Hair]:
     color = next(
         (s.colors[-1][1] for s in toy.sentences if s.colors and span.start <= s.span.start < span.end), Hair(()).color
     )
-    hangs = said_length(words) or 2.0 * float(host.box[1][1]) * toy.stitch
+    room = 2.0 * _TRIMMED * (below - float(host.box[0][1] - host.box[1][1])) * toy.stitch
+    hangs = min(said_length(words) or room, room)  # trimmed, so that nobody stands on it
     many = strands(words) or _STRANDS
     return [
         Hair(tuple(Spot(s.part, s.round, s.stitch, span) for s in spots), max(many, 12), round(hangs, 1), color, span)

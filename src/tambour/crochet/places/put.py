@@ -21,7 +21,7 @@ from tambour.crochet.places.room import Seam, aside, spread, strewn
 from tambour.crochet.places.rowed import in_rows
 from tambour.crochet.places.snouts import BROW
 from tambour.crochet.places.stand import Host, neck
-from tambour.crochet.places.usual import DOLLS, SPREAD, Way, usual
+from tambour.crochet.places.usual import DOLLS, SPREAD, UPRIGHT, Way, usual
 
 _ROUGHLY: Final = 0.6
 """An end is on top that looks so nearly upwards, as a cosine, for what goes on top."""
@@ -92,7 +92,9 @@ class Putter(Pairer):
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
-        wanted |= frozenset(one(w) for w in re.findall(r"[^\W\d_]+", work.text[:200])) & (SPREAD | BESIDE | DOLLS)
+        wanted |= frozenset(one(w) for w in re.findall(r"[^\W\d_]+", work.text[:200])) & (
+            SPREAD | BESIDE | DOLLS | UPRIGHT
+        )
         if kind == "leaf" and len(put.copies) > 8:  # they stand in rings, whatever round the first of them is in
             put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
         if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen

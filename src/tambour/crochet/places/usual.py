@@ -20,6 +20,10 @@ SPREAD: Final = frozenset(
 
 DOLLS: Final = frozenset("doll puppe muñeca poupée pop".split())
 """Toys, by their titles, that stand on their legs, and do not sit."""
+UPRIGHT: Final = frozenset(
+    "bunny rabbit hare donkey kangaroo hase häschen kaninchen conejo conejito lapin konijn haas".split()
+)
+"""Toys, by their titles, whose ears stand up, long or short."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,7 +185,7 @@ def usual(
         if pairs is None:
             single = _SINGLE.get(kind, _SINGLE[""])
             pairs = replace(single, at=(0.55, single.at[1], single.at[2]), on=single.on)
-        if kind == "ear" and long and not words & {"floppy", "dog"}:
+        if kind == "ear" and (long or words & UPRIGHT) and not words & {"floppy", "dog"}:
             pairs = replace(pairs, at=(0.42, 0.92, 0.0), axis=(0.28, 1.0, 0.0), line=(1.0, -0.28, 0.0))
         if kind == "ear" and words & {"floppy", "hanging", "droopy"}:
             pairs = replace(pairs, at=(0.78, 0.62, 0.0), axis=(0.5, -0.85, 0.1), line=_ALONG)
