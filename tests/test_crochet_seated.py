@@ -9,6 +9,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
 from tambour.crochet.places.face import motifs
 from tambour.crochet.places.stand import Host, Stand, numbers_of
+from tambour.crochet.places.tubes import tubes
 from tambour.crochet.printed.pattern import read_printed
 
 BALL = """{0}
@@ -249,3 +250,18 @@ def test_the_ears_of_a_bunny_stand_up_though_they_are_short(name, up):
     text = f"{name}\n\n{BALL.format('HEAD', 'Stuff. Fasten off.')}{BALL.format('BODY', 'Stuff. Fasten off.')}{ears}Sew head to body. Sew ears to top of head.\n"
     record = placed(read_printed(Text(text, "toy.txt")))["EARS.1"]
     assert (90.0 <= record.towards <= 270.0) != up  # leaning upwards from where it is sewn, or down and out
+
+
+@pytest.mark.parametrize(
+    ("said", "shut"),
+    [
+        ("Flatten the piece and, through both layers, whipstitch across the top edge.", True),
+        ("Sew the upper edge closed.", True),
+        ("Weave in ends.", False),
+    ],
+)
+def test_a_hat_of_rows_that_is_sewn_flat_at_its_top_is_shut_there(said, shut):
+    text = f"Penguin\n\n{BALL.format('HEAD', 'Stuff. Fasten off.')}{ROWS.format('HAT', 'Fasten off. Sew short edges together to form a tube. ' + said, 9, 24)}Sew hat to head.\n"
+    built = build(read_printed(Text(text, "penguin.txt")))
+    row = built.graph.round[np.array(tubes(built)).reshape(-1, 2)]
+    assert (len(row) > 0) and bool(((row[:, 0] != row[:, 1]) & (np.abs(row[:, 0] - row[:, 1]) < 22)).any()) == shut

@@ -38,6 +38,11 @@ _FOLDED: Final = re.compile(
     r"\bfold[^.\n]{0,40}\bin half lengthwise\b[^\n]{0,60}\b(?:both thicknesses|along edge|edges)\b"
 )
 _TUBE: Final = re.compile(r"\b(?:sew|seam)[^.\n]{0,60}\bto form (?:a )?(?:tube|ring|circle)\b")
+_FLAT: Final = re.compile(
+    r"\b(?:flatten|fold|press|lay)\w*\b[^.\n]{0,60}\b(?:both (?:thicknesses|layers)|flat)\b[^.\n]{0,60}\b(?:across|along) (?:the |its )?(?:top|upper|one) (?:edge|end|opening)\b"
+    r"|\b(?:sew|seam|whip\s?stitch)\s+(?:the\s+|its\s+)?(?:top|upper|one) (?:edge|end|opening)\s+(?:closed|shut|flat)\b"
+)
+"""A tube that is pressed flat at its top and sewn shut there: a hat with two corners."""
 _LEAST: Final = 4
 """A piece of fewer rows is no tube."""
 _SAME: Final = 0.6
@@ -85,10 +90,19 @@ def tubes(built: Built) -> list[tuple[int, int]]:
             one, other = (r[np.argsort(x[r], kind="stable")] for r in (rows[0], rows[-1]))
             at = np.round(np.linspace(0, len(other) - 1, len(one))).astype(int)
             found += list(zip(other[at].tolist(), one.tolist()))
-            found += _gathered(rows, x, said)
+            found += _gathered(rows, x, said) or _flattened(rows, x, said)
         else:
             found += [(int(r[x[r].argmin()]), int(r[x[r].argmax()])) for r in rows]
     return [(max(a, b), min(a, b)) for a, b in found if a != b]
+
+
+def _flattened(rows: list[Array], x: Array, said: str) -> list[tuple[int, int]]:
+    """Pairs of row ends of a tube's top, which is sewn shut from corner to corner; the edge where its rows begin is the brim."""
+    if _FLAT.search(said) is None:
+        return []
+    last = x[rows[0][0]] > x[rows[0][-1]]
+    rim = [int(r[x[r].argmin() if last else x[r].argmax()]) for r in rows]
+    return [(rim[k], rim[-1 - k]) for k in range(1, len(rim) // 2)]
 
 
 def _gathered(rows: list[Array], x: Array, said: str) -> list[tuple[int, int]]:
