@@ -4,12 +4,16 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.features import placed as placed_features
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
+from tambour.crochet.params import CrochetParams
 from tambour.crochet.places.face import motifs
 from tambour.crochet.places.stand import Host, Stand, numbers_of
 from tambour.crochet.places.tubes import tubes
+from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
 
 BALL = """{0}
@@ -265,3 +269,19 @@ def test_a_hat_of_rows_that_is_sewn_flat_at_its_top_is_shut_there(said, shut):
     built = build(read_printed(Text(text, "penguin.txt")))
     row = built.graph.round[np.array(tubes(built)).reshape(-1, 2)]
     assert (len(row) > 0) and bool(((row[:, 0] != row[:, 1]) & (np.abs(row[:, 0] - row[:, 1]) < 22)).any()) == shut
+
+
+def test_eyes_on_patches_in_rows_look_out_whatever_side_of_the_rows_is_out():
+    head = "HEAD\nBegin at nose.\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnds 3-5: sc around (12)\nRnd 6: inc x 12 (24)\nRnds 7-12: sc around (24)\nRnd 13: (2 sc, dec) x 6 (18)\nRnd 14: (sc, dec) x 6 (12)\nRnd 15: dec x 6 (6)\nStuff. Fasten off.\n\n"
+    for wide, rows in ((8, 2), (5, 3)):
+        text = (
+            f"Badger\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{head}{ROWS.format('EYE PATCHES (make 2)', 'Fasten off.', wide, rows)}"
+            "Sew head to body. Attach 6 mm safety eyes to the eye patches. Sew the eye patches to the front of the head.\n"
+        )
+        piece = make(Text(text, "badger.txt"), CrochetParams(detail="low", tolerance=0.05), Progress())
+        spots = Spots(piece.built)
+        own = piece.built.graph.parts[spots.parts["HEAD"]]
+        middle = piece.positions[own.start : own.end].mean(0)
+        located = placed_features(piece.built, piece.positions, piece.upright)
+        eyes = [w for r, w in zip(located.records, located.where) if isinstance(r, Eye)]
+        assert len(eyes) == 2 and all(float((w.normals * (w.points - middle)).sum()) > 0.0 for w in eyes)

@@ -12,13 +12,15 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import Part
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Spot
+from tambour.crochet.language.finishes import Placed, Spot
 from tambour.geometry.motion import dot
 from tambour.geometry.surface import vertex_normals
 
 LEVEL = (0.94, 0.985)
 """Fabric as level as this (the cosine of its slope) begins to have, and has, its up at the back of the toy (underneath:
 at the front), for no slope tells it there: 20 and 10 degrees."""
+LAID = 0.5
+"""A piece lies on what bears it, and does not stand off it, whose normal looks so nearly out of it, or into it, as a cosine."""
 
 
 class Frames(NamedTuple):
@@ -79,7 +81,24 @@ def outward(known: Spots, x: Array, parts: Iterable[int]) -> Array:
         if len(faces):
             first, end = int(faces.min()), int(faces.max()) + 1
             made[first:end] = vertex_normals(x[first:end], faces - first)
+            if _inside_out(known, x, part, made):
+                made[first:end] *= -1.0
     return made
+
+
+def _inside_out(known: Spots, x: Array, part: int, normal: Array) -> bool:
+    """Whether a piece worked in rows lies on another part with what its rows call its right side inwards: an eye on it is seen all the same."""
+    if not known.in_rows[part]:
+        return False
+    on = (f for f in known.built.pattern.finish if isinstance(f, Placed) and f.flat and known.parts.get(f.part) == part)
+    record = next(on, None)
+    host = None if record is None else known.parts.get(record.spot.part)
+    if host is None:
+        return False
+    own, other = (known.built.graph.parts[k] for k in (part, host))
+    out = x[own.start : own.end].mean(0) - x[other.start : other.end].mean(0)
+    looks = normal[own.start : own.end].mean(0)
+    return bool(dot(out, looks) < -LAID * math.sqrt(dot(out, out) * dot(looks, looks)))
 
 
 def _out_of(x: Array, rim: list[int], part: Part) -> Array:
