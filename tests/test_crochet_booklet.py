@@ -22,7 +22,7 @@ from tambour.crochet.page.charted import helps
 from tambour.crochet.page.diagram import symbols
 from tambour.crochet.page.parts import _explained, _ticks, with_hers
 from tambour.crochet.page.pictures import _broad, steps
-from tambour.crochet.page.plain import spelled
+from tambour.crochet.page.plain import as_she_writes
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.words.table import TERMS
@@ -209,8 +209,8 @@ def test_charts_stand_where_they_tell_more_than_words() -> None:
 
 
 def test_her_spelling_is_kept_word_by_word() -> None:
-    assert spelled(TERMS["us"], "Grey yarn, fiberfill").colors["gray"][0] == "grey"
-    assert "color" in spelled(TERMS["us"], "Grey yarn, fiberfill and color").page["new"]
+    assert as_she_writes(TERMS["us"], "Grey yarn, fiberfill").colors["gray"][0] == "grey"
+    assert "color" in as_she_writes(TERMS["us"], "Grey yarn, fiberfill and color").page["new"]
 
 
 @pytest.mark.slow

@@ -340,15 +340,15 @@ def test_a_step_is_seen_from_where_its_part_is_not_hidden() -> None:
 def test_the_page_speaks_of_what_the_piece_has_in_the_spelling_of_its_designer() -> None:
     from tambour.crochet.page.book import Book
     from tambour.crochet.page.care import care
-    from tambour.crochet.page.plain import spelled
+    from tambour.crochet.page.plain import as_she_writes
 
     assert "plastic" in " ".join(care(Book(toy())))
     house = "With {} yarn.\n\nWALL\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n\nDOOR\nRnd 1: 6 sc in MR (6)\n\nSew the door to the wall.\n"
     book = Book(make(Text(house.format("grey"), "house.txt"), CrochetParams(solver="none"), Progress()))
     assert "eyes" not in " ".join(care(book)) and "every part" in " ".join(care(book))
     assert "full colour" in book.own["new"] and book.said.color((140, 140, 142))[1] == "grey"
-    assert spelled(TERMS["us"], "gray, not grey") is spelled(TERMS["us"], "red") is TERMS["us"]
-    assert spelled(TERMS["fr"], "grey") is TERMS["fr"]
+    assert as_she_writes(TERMS["us"], "gray, not grey") is as_she_writes(TERMS["us"], "red") is TERMS["us"]
+    assert as_she_writes(TERMS["fr"], "grey") is TERMS["fr"]
 
 
 def test_charts_number_rows_as_the_text_does_and_explain_every_sign() -> None:

@@ -157,6 +157,9 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
     blocks = {one.section for one in book.said.blocks}
     told: set[int] = set()
     rows: list[tuple[Row, int]] = []
+    of: dict[int, list[Row]] = {}
+    for row in block.lines:
+        of.setdefault(_at(book, row.span), []).append(row)
     for row in block.lines:
         k = _at(book, row.span)
         if k < 0:
@@ -169,7 +172,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
             continue
         stretch = book.hers.worked[k]
         place = stretch.span.start if book.hers.part_at(stretch.span.start) == block.section else -1
-        mine = [one for one in block.lines if _at(book, one.span) == k]
+        mine = of[k]
         if stretch.plain and any(one.label for one in mine):
             alone = row.span is not None and _HEAD_ALONE.fullmatch(text[row.span.start : row.span.end])
             behind = row.span is not None and row.span.start >= stretch.span.end  # a sentence of hers says it

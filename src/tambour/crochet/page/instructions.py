@@ -7,7 +7,7 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.page.ofmodel import dressed, of_model
-from tambour.crochet.page.plain import as_she_decreases, spelled, unmarked, with_eyes
+from tambour.crochet.page.plain import as_she_writes, unmarked, with_eyes
 from tambour.crochet.page.wording import Words
 from tambour.crochet.page.writer import Writer
 from tambour.crochet.piece import Plush
@@ -89,5 +89,5 @@ def words(piece: Built | Pattern, terms: str | None = None, *, exact: bool = Tru
     if code not in TERMS:
         raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="{--terms}")
     text = built.pattern.text.text
-    table = TERMS[code] if exact else as_she_decreases(spelled(TERMS[code], text), text)
+    table = TERMS[code] if exact else as_she_writes(TERMS[code], text)
     return Writer(built, table, exact).words()

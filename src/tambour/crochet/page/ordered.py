@@ -7,6 +7,7 @@ counts: then our words say all of it. Every other stretch is printed as she wrot
 from __future__ import annotations
 
 import re
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -101,12 +102,14 @@ def stretches(pattern: Pattern, first: int, end: int) -> list[Stretch]:
             groups[-1] = (a, max(b, line.span.end), [*some, line])
         else:
             groups.append((line.span.start, line.span.end, [line]))
-    taken = sorted([(a, b) for a, b, _ in groups] + [(h.start, h.end) for h in heads])
+    starts = sorted([*(a for a, _, _ in groups), *(h.start for h in heads)])
+    ends = sorted([*(b for _, b, _ in groups), *(h.end for h in heads)])
     told = doubted(pattern)
     found: list[tuple[int, int, list[Line]]] = []
     for a, b, some in groups:
-        low = max((y for _, y in taken if y <= a), default=first)
-        high = min((x for x, _ in taken if x >= b), default=end)
+        before, behind = bisect_right(ends, a), bisect_left(starts, b)
+        low = ends[before - 1] if before else first
+        high = starts[behind] if behind < len(starts) else end
         begin, stop = _grown(text, a, b, low, high)
         stop = min(stop, _counted(text, a, stop, some))
         if found and found[-1][1] > begin:

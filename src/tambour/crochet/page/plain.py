@@ -37,7 +37,13 @@ def unmarked(text: str) -> str:
     return "\n".join(made) + "\n"
 
 
-def as_she_decreases(terms: Terms, text: str) -> Terms:
+def as_she_writes(terms: Terms, text: str) -> Terms:
+    """English words spelled as the designer spells, and with her own word for a decrease, that a booklet does not mix two; every other
+    language as it is."""
+    return _as_she_decreases(_as_she_spells(terms, text), text)
+
+
+def _as_she_decreases(terms: Terms, text: str) -> Terms:
     """English words with her own for a decrease: where she works "sc2tog" and nowhere "dec", a booklet does not mix the two."""
     hers = "dc2tog" if terms.code == "uk" else "sc2tog"
     words = terms.stitches.get("dec", ())
@@ -50,7 +56,7 @@ def as_she_decreases(terms: Terms, text: str) -> Terms:
 _BRITISH: Final = {"gray": "grey", "color": "colour", "center": "centre", "fiber": "fibre"}
 
 
-def spelled(terms: Terms, text: str) -> Terms:
+def _as_she_spells(terms: Terms, text: str) -> Terms:
     """English words as the designer spells: British ones where ``text`` has some and no American ones (US stitches are often
     written so), else each of them that it has, that a booklet does not mix the two; every other language as it is."""
     if terms.base not in ("", terms.code) or terms.colors["blue"][0] != "blue":

@@ -130,10 +130,11 @@ _RULES: Final = Sayings[str | Callable[[re.Match[str]], str]](
 
 def plainly(text: str) -> str:
     """A sentence (in small letters) with its places and distances as :mod:`tambour.crochet.places.said` reads them."""
-    likely = _RULES.likely(text)
-    for k, (said, read) in enumerate(_RULES.each):
-        if likely >> k & 1 and (put := said.sub(read, text)) != text:
-            text, likely = put, _RULES.likely(put)
+    k = _RULES.next(text)
+    while k < _RULES.n:
+        said, read = _RULES[k]
+        text = said.sub(read, text)
+        k = _RULES.next(text, k + 1)
     return text
 
 

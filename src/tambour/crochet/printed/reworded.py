@@ -12,14 +12,13 @@ from tambour.crochet.words.sayings import Sayings
 def reworded(tokens: list[Token], sayings: Sayings[str]) -> list[Token]:
     """``tokens`` with whatever each of the ``sayings`` finds in their words as what it means; the same list where none finds anything."""
     words = " ".join([t.word for t in tokens])
-    likely = sayings.likely(words)
-    for k, (said, meant) in enumerate(sayings.each):
-        if not likely >> k:
-            break
-        if likely >> k & 1 and said.search(words):
+    k = sayings.next(words)
+    while k < sayings.n:
+        said, meant = sayings[k]
+        if said.search(words):
             tokens = _put(tokens, said, meant)
             words = " ".join([t.word for t in tokens])
-            likely = sayings.likely(words)
+        k = sayings.next(words, k + 1)
     return tokens
 
 

@@ -100,10 +100,11 @@ def counting(rows: list[Row]) -> list[Row]:
 
 def _row(row: Row) -> Row:
     words = " ".join([t.word for t in row.tokens])
-    likely = _RULES.likely(words)
-    for k, (said, meant) in enumerate(_RULES.each):
+    k = _RULES.next(words)
+    while k < _RULES.n:
+        said, meant = _RULES[k]
         at = 0
-        while likely >> k & 1 and (found := said.search(words, at)) is not None:
+        while (found := said.search(words, at)) is not None:
             put = meant(found)
             a, b = placed(row.tokens, *found.span())
             # What stays as it is keeps its own tokens, and so its places.
@@ -118,5 +119,5 @@ def _row(row: Row) -> Row:
             row = replace(row, tokens=[*row.tokens[:a], *made, *row.tokens[b:]])
             at = found.start() + max(1, len(put))
             words = " ".join([t.word for t in row.tokens])
-            likely = _RULES.likely(words) | 1 << k
+        k = _RULES.next(words, k + 1)
     return row

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import insort_right
 from collections.abc import Iterable
 from copy import copy
 from functools import lru_cache
@@ -106,16 +107,21 @@ class Vocabulary:
                 self._add([f"{word}{n}" for word in said if " " not in word], "stitch", f"{what}{n}")
 
     def _add(self, spellings: Iterable[str], kind: str, value: Any, new: bool = False) -> None:
-        for said in spellings:
-            plain = said.isascii() and said.islower() and said.replace(" ", "").isalpha()
-            words = tuple(said.split() if plain else (t.word for t in rows(said)[0].tokens if t.word not in _JOINS))
+        if kind == "stitch" and value not in STITCHES and not new:
+            return
+        spellings = list(spellings)
+        plain = all(one.isascii() and one.islower() and one.replace(" ", "").isalpha() for one in spellings)
+        if plain:
+            said = [tuple(one.split()) for one in spellings]
+        else:
+            said = [tuple(t.word for t in row.tokens if t.word not in _JOINS) for row in rows("\n".join(spellings))]
+        for words in said:
             if not words:
-                continue
-            if kind == "stitch" and value not in STITCHES and not new:
                 continue
             # What comes later is the table's own word, and goes before what people write besides.
             phrases = [p for p in self._first.get(words[0], ()) if p[0] != words]
-            self._first[words[0]] = sorted([*phrases, (words, kind, value)], key=_length)
+            insort_right(phrases, (words, kind, value), key=_length)
+            self._first[words[0]] = phrases
             if kind == "stitch" and len(words) == 1:
                 self._alone.add(words[0])  # so that a point behind it ends a sentence: "1 sc. Inc." is two
 

@@ -11,18 +11,34 @@ _PIECE: Final = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\((?:\?(?:P<\w+>|:|<
 
 
 class Sayings(Generic[Meant]):
-    """Expressions, and what each means, in order."""
+    """Expressions, and what each means, in order; ``n`` of them."""
 
     def __init__(self, each: Iterable[tuple[str, Meant]]) -> None:
-        self.each: list[tuple[re.Pattern[str], Meant]] = []
+        self._each = list(each)
+        self._compiled: dict[int, re.Pattern[str]] = {}
+        self.n = len(self._each)
+        self._last = "", 0  # the words that were asked about last, and which of them these may hold
         # Of a hundred sayings a line has one or none: which it cannot have is seen by the letters that they need.
         self._having: dict[str, int] = {}
-        for k, (said, meant) in enumerate(each):
-            self.each.append((re.compile(said), meant))
+        for k, (said, _) in enumerate(self._each):
             for letters in needed(said):
                 self._having[letters] = self._having.get(letters, 0) | 1 << k
 
-    def likely(self, words: str) -> int:
+    def __getitem__(self, k: int) -> tuple[re.Pattern[str], Meant]:
+        said, meant = self._each[k]
+        if k not in self._compiled:  # most are wanted by no line of a text
+            self._compiled[k] = re.compile(said)
+        return self._compiled[k], meant
+
+    def next(self, words: str, k: int = 0) -> int:
+        """The first of them from ``k`` on that ``words`` may hold; their number where none is left."""
+        known = self._last
+        if known[0] is not words:
+            known = self._last = words, self._likely(words)
+        likely = known[1] >> k
+        return k + (likely & -likely).bit_length() - 1 if likely else self.n
+
+    def _likely(self, words: str) -> int:
         """Which of them ``words`` may hold, a bit each."""
         found = 0
         for letters, some in self._having.items():
