@@ -48,14 +48,15 @@ from tambour.crochet.model.loop import FLAT, Task, Tried, bent, looped, resized,
 from tambour.crochet.model.named import Stands, _kind, names
 from tambour.crochet.model.nudged import Rest, alike, nudged, uneven
 from tambour.crochet.model.painted import painted
-from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, pair, poses
+from tambour.crochet.model.paired import IMAGE, opposites, paired
+from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, Wish, poses, priced
 from tambour.crochet.model.readable import cost, easy, followable, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, Thread, even, pattern, printed
 from tambour.crochet.model.sawn import Saws
 from tambour.crochet.model.seating import Seats, changed, fitted, sought
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.threads import most
-from tambour.crochet.model.tips import Mirror, choose, facing, level, mirror, stands
+from tambour.crochet.model.tips import Mirror, choose, evened, facing, level, mirror, stands
 from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import area, bodies, corners, refined, volume, where
 from tambour.crochet.page import instructions
@@ -479,6 +480,28 @@ def test_mirrored_limbs_are_one_part_made_twice_and_sewn_on() -> None:
     assert float(off.mean()) < 0.05, off.mean()
 
 
+def test_rounds_of_a_surface_that_is_its_own_image_lie_level_though_its_corners_do_not() -> None:
+    x, faces = globe(6.0, 14)
+    x = x * (1.0, 1.4, 1.0)
+    tip = int(x[:, 1].argmax())
+    x[tip, 0] += 0.6  # the corner that rounds begin at lies beside the middle
+    plane = Mirror(np.zeros(3), np.array([1.0, 0.0, 0.0]))
+    surface = Target.of(x, faces)
+    f = distances(x, faces, np.array([tip]))
+
+    def leans(way: Array) -> float:
+        """How much higher the rounds lie on the one side than on the other."""
+        level = next(line for line in lines(x, faces, way, float(way.max()) / 2.0) if len(line) > 8)
+        return abs(float(level[level[:, 0] > 2.0][:, 1].mean() - level[level[:, 0] < -2.0][:, 1].mean()))
+
+    even_ = evened(surface, f, tip, plane)
+    assert leans(f) > 0.5 and leans(even_) < 0.1
+    assert (evened(surface, f, tip, None) == f).all()
+    aside = int(x[:, 0].argmax())  # what is no tip in the middle is as it is
+    way = distances(x, faces, np.array([aside]))
+    assert (evened(surface, way, aside, plane) == way).all()
+
+
 def test_a_ball_has_no_limbs_and_a_horned_one_has_two() -> None:
     x, faces = globe(12.0, 20)
     x, faces, _ = bodies(Mesh(x, faces), [])[0]
@@ -728,7 +751,7 @@ def test_a_part_is_sewn_where_and_as_all_of_it_lies_nearest(tilt: float, towards
         want = lying(tilt + more)
         axis, front = (way / np.sqrt((way**2).sum()) for way in (want[-1] - want[0], want[1] - want[4]))
         out = np.where(np.arange(30)[:, None] % 2, front, np.cross(axis, front))
-        return poses(host, spot, frame.points[0], rod, want, out, 0.3)
+        return poses(Wish(host, spot, frame.points[0], rod, want, out, 0.3))
 
     found = found_by(0.0)
     assert found.best()[1] == (spot, LEANED.index((int(tilt), int(towards))), 0)
@@ -797,6 +820,44 @@ def test_each_part_keeps_the_best_place_it_had_and_in_the_end_all_are_sewn_on_so
     assert seats.way == pytest.approx([1.4, 0.7, 0.8, 0.9, 1.3]) and seats.best is seats.had[1]
 
 
+@pytest.mark.parametrize("apart", [0.4, 1.6])
+def test_pairs_have_the_same_words_and_others_are_tried_only_where_they_lie_a_stitch_apart(
+    monkeypatch: pytest.MonkeyPatch, apart: float
+) -> None:
+    x = np.zeros((4, 3))
+    tried: Any = SimpleNamespace(counts=[4])
+    none: Any = None
+    body = Piece(Rounds("Body", 4), tried, none, 0.0, (x,), (x,), (None,), ((0, 0),))
+    leg = Piece(Rounds("Leg", 4, copies=2), tried, none, 0.0, (x, x), (x, x), (x[0], x[0]), ((0, 0), (0, 0)))
+    plane, asked = Mirror(np.zeros(3), np.array([1.0, 0.0, 0.0])), list[bool]()
+    keys = (1, 0), (1, 1)
+
+    def put(pieces: Any, nudges: Any, even: Mirror | None, fine: bool, stays: Any = None, had: Any = None) -> Put:
+        asked.append(even is not None)
+        said = {key: Placed(f"Leg.{key[1] + 1}", Spot("Body", float(len(asked)), 1.0)) for key in keys}
+        return Put([f"{len(asked)}{even is None}"], x, said, dict.fromkeys(keys, 0.0))
+
+    def rest(pieces: Any, lines: Any, first: Any, *_: Any) -> Rest:
+        free = lines[0].endswith("True")
+        price = 0.3 + 0.05 * (0.1 if free else apart)
+        return Rest(first, x, 0.3, price, [], dict.fromkeys(keys, 0.5), 0.1 if free else apart)
+
+    monkeypatch.setattr(seating, "placed", put)
+    monkeypatch.setattr(seating, "rested", rest)
+    monkeypatch.setattr(seating, "fitted", lambda piece, *_: piece)
+    monkeypatch.setattr(
+        seating,
+        "nudged",
+        lambda *_: ({key: (np.eye(3), np.zeros(3)) for key in keys}, dict.fromkeys([(0, 0), *keys], 0.0)),
+    )
+    _, lines, _ = seating.seated([body, leg], none, CrochetParams(), (5.0, 5.0), plane)
+    assert asked[0] and all(asked) == (apart < 1.0)
+    assert lines[0].endswith(str(apart > 1.0))
+    asked.clear()
+    seating.seated([body, leg], none, CrochetParams(), (5.0, 5.0), None)
+    assert not any(asked)
+
+
 def test_ways_that_a_part_was_sewn_on_are_not_found_again() -> None:
     rng = np.random.default_rng(3)
     table = Poses((Spot("A", 3.0, 1.0), Spot("A", 3.5, 2.0)), rng.random((2, len(LEANED), 8)))
@@ -813,27 +874,56 @@ def test_ways_that_a_part_was_sewn_on_are_not_found_again() -> None:
     assert not np.isfinite(left.price[table.spots.index(spot), LEANED.index((int(tilt), int(towards)))]).any()
 
 
-def test_a_pair_is_sewn_on_in_one_round_leaning_as_each_others_image() -> None:
+@pytest.mark.parametrize("behind", [False, True])
+def test_a_pair_is_sewn_on_in_one_round_as_far_from_its_middle_leaning_as_each_others_image(behind: bool) -> None:
+    counts = [6, 12, 17, 21, 21, 21, 21, 21, 21, 17, 12, 6]
+    ball = Rounds("Ball", 6, tuple(even(a, b) for a, b in pairwise(counts)))
+    built = build(pattern([ball]))
+    known, x = Spots(built), settled(ball, CrochetParams()).x
+    normals, nodes = vertex_normals(x, built.graph.faces[built.shell]), np.arange(len(x))
+    host = Host(known, 0, "Ball", nodes, x, normals, np.array([0.0, 1.0, 0.0]))
+    plane = Mirror(x.mean(0), np.array([1.0, 0.0, 0.0]))
     rng = np.random.default_rng(3)
-    one, two = (
-        Poses(tuple(Spot(n, r, s) for r in rounds for s in (1.0, 2.0)), rng.random((2 * len(rounds), len(LEANED), 8)))
-        for n, rounds in (("A", (3.0, 3.5, 4.0)), ("B", (3.5, 4.0, 4.5)))
-    )
-    found = pair(one, two)
+    rod = np.column_stack([np.linspace(0.0, 6.0, 20), 0.4 * rng.normal(size=(20, 2))])
+    aim = np.array([0.5, 0.2, -0.8] if behind else [0.8, 0.2, 0.6])
+    point = x[int(((x - x.mean(0)) * aim).sum(1).argmax())]
+    want = point + rod[:, :1] * aim + rod[:, 1:] @ np.eye(3)[1:]
+    spot = Spot("Ball", 6.0, 1.0)
+    one = Wish(host, spot, point, rod, want, normals[:20], 1.5)
+    # The other is wished elsewhere than where the first one's image is: both give way by half.
+    up = np.array([0.0, 0.8, 0.0])
+    two = Wish(host, spot, plane.image(point) + up, rod, plane.image(want) + up, normals[:20], 1.5)
+    found = paired(one, two, plane, [], [])
     assert found is not None
-    price, ((spot, lean, about), (other, way, across)) = found
-    assert spot.round == other.round in (3.5, 4.0)
-    assert LEANED[way] == (LEANED[lean][0], -LEANED[lean][1] % 360)
-    cost = one.price[one.spots.index(spot), lean, about] + two.price[two.spots.index(other), way, across]
-    least = min(
-        one.price[i, k].min() + two.price[j, LEANED.index((t, -w % 360))].min()
-        for i, a in enumerate(one.spots)
-        for j, b in enumerate(two.spots)
-        if a.round == b.round
-        for k, (t, w) in enumerate(LEANED)
-    )
-    assert price == pytest.approx(cost) and cost == pytest.approx(least)
-    assert pair(one, Poses((Spot("B", 9.0, 1.0),), two.price[:1])) is None
+    price, ((here, lean, about), (there, way, across)) = found
+    assert here.round == there.round and LEANED[way] == (LEANED[lean][0], -LEANED[lean][1] % 360)
+    assert here.stitch is not None and there.stitch is not None
+    k = known.round_at(0, int(here.round))
+    assert k is not None
+    ring = x[known.stitches(k)]
+    middle = int((ring[:, 2] * (-1 if behind else 1)).argmax())
+    n = len(ring)
+    off = [((s - 1 - middle + n // 2) % n) - n // 2 for s in (here.stitch, there.stitch)]
+    assert off[0] * off[1] < 0 and abs(off[0] + off[1]) in (0.0, 2.0)  # the middle, or the stitch beside it
+    a, b = (priced(wish, [s]).price[0] for wish, s in ((one, here), (two, there)))
+    assert price == pytest.approx(a[lean, about] + b[way, across])
+    assert price == pytest.approx(min(a[i].min() + b[IMAGE[i]].min() for i in range(len(LEANED))))
+    # The same is not found again.
+    again = paired(one, two, plane, [(here, *map(float, LEANED[lean]), float(WAYS[about]))], [])
+    assert again is not None and again[0] > price
+
+
+@pytest.mark.parametrize("n", [20, 21])
+def test_stitches_are_opposite_about_the_middle_of_the_front_or_of_the_back_whatever_the_count(n: int) -> None:
+    angle = 2.0 * np.pi * (np.arange(n) + 0.3) / n
+    x = np.column_stack([np.sin(angle), 0.01 * np.arange(n), -np.cos(angle)])  # begins at the back
+    none: Any = None
+    host = Host(none, 0, "A", np.arange(n), x, x, np.array([0.0, 1.0, 0.0]))
+    plane = Mirror(np.zeros(3), np.array([1.0, 0.0, 0.0]))
+    to = opposites(host, np.arange(n), np.arange(n), plane, True)
+    front, back = int(x[:, 2].argmax()), int(x[:, 2].argmin())
+    assert to[front] in (front, (front + 2) % n, front - 2) and to[back] in (back, (back + 2) % n, (back - 2) % n)
+    assert np.sqrt(((plane.image(x) - x[to]) ** 2).sum(1)).max() < 1.6 * 2.0 * np.pi / n
 
 
 def test_a_part_sewn_on_too_deep_has_rounds_more_and_one_that_stands_out_has_one_less() -> None:

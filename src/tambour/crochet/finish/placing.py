@@ -22,6 +22,11 @@ at the front), for no slope tells it there: 20 and 10 degrees."""
 LAID = 0.5
 """A piece lies on what bears it, and does not stand off it, whose normal looks so nearly out of it, or into it, as a cosine."""
 
+STANDS = 0.6
+"""A part stands, and has a front, where its axis is so upright (as a cosine); else it lies, and has a top."""
+AROUND = 0.38
+"""Up to so far round it is told from the middle of the front, or of the top; beyond from the other side."""
+
 
 class Frames(NamedTuple):
     """K points (K, 3) and three unit directions (K, 3) at each: outwards, level to the right as one sees it, and up.
@@ -127,6 +132,19 @@ def _level(a: float, b: float, c: float, d: float, e: float, f: float) -> tuple[
     long = math.sqrt(x * x + y * y + z * z)
     x, y, z = (x / long, y / long, z / long) if long > 1e-12 else (0.0, 0.0, 0.0)
     return (y * c - z * b, z * a - x * c, x * b - y * a), (x, y, z)
+
+
+def sides(x: Array) -> dict[str, Array]:
+    """The sides of a round at x (K, 3), as it lies, that are told by the stitch in their middle, and where (3,) each looks: the front and the
+    back, of what lies the top and what is under it, and of what points sideways none."""
+    off = x - x.mean(0)
+    axis = np.cross(off, np.roll(off, -1, 0)).sum(0)
+    axis = axis / max(float(np.sqrt((axis**2).sum())), 1e-9)
+    if abs(float(axis[0])) > STANDS:
+        return {}
+    if abs(float(axis[1])) >= STANDS:
+        return {"mid front": np.array([0.0, 0.0, 1.0]), "mid back": np.array([0.0, 0.0, -1.0])}
+    return {"mid top": np.array([0.0, 1.0, 0.0]), "mid under": np.array([0.0, -1.0, 0.0])}
 
 
 def _unit(v: Array) -> Array:

@@ -19,8 +19,10 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.loop import Tried
-from tambour.crochet.model.posed import LEANED, WAYS, Host, Poses, pair, poses
+from tambour.crochet.model.paired import How, paired
+from tambour.crochet.model.posed import LEANED, WAYS, Host, Wish, poses
 from tambour.crochet.model.rounds import Rounds, pattern
+from tambour.crochet.model.tips import Mirror
 from tambour.crochet.settle.arrange import parts
 from tambour.crochet.words.phrases import CLOCK, LEANS, TURN
 from tambour.geometry.closest import nearest, tree
@@ -85,14 +87,14 @@ class Put:
 def placed(
     pieces: list[Piece],
     nudges: Nudges,
-    even: bool,
+    even: Mirror | None,
     fine: bool,
     stays: dict[Key, Placed] | None = None,
     had: dict[Key, list[Placed]] | None = None,
 ) -> Put:
     """Every piece sewn on.
 
-    even : the model is its own mirror image, left and right, and so are the angles of a pair
+    even : the model is its own mirror image there, left and right, and a pair is sewn on by the same words, each as the other's image
     fine : places and angles as near as can be; else those that there are words for
     stays : how those are sewn on that are not to be looked for; had : ways that are not to be found again, of a pair by its first
     """
@@ -106,8 +108,15 @@ def placed(
     number = {(k, c): spots.parts[p.name(c)] for k, p in enumerate(pieces) for c in range(len(p.goals))}
     steps: dict[Key, tuple[Placed, End]] = {}
     points: dict[Key, Array] = {}
-    choice: dict[Key, Poses] = {}
+    wishes: dict[Key, Wish] = {}
+    pairs: dict[Key, How] = {}
     held_by: dict[Key, tuple[Array, Held]] = {}
+
+    def barred(key: Key) -> tuple[list[tuple[Spot, float, float, float]], list[float]]:
+        """The ways of a part that are not to be found again, and the turns about itself that are as good as none."""
+        ways = [(one.spot, one.tilt, one.towards, one.across) for one in had.get(key, [])]
+        return ways, unseen(alone, graph.faces[built.shell], *held_by[key]) if ways else []
+
     waiting = [(k, c) for k, p in enumerate(pieces) for c, base in enumerate(p.bases) if base is not None]
     standing = set(number) - set(waiting)
     while ready := [key for key in waiting if pieces[key[0]].onto[key[1]] in standing]:
@@ -161,29 +170,37 @@ def placed(
                 there_ = joined.x.copy()
                 there_[nodes] = want
                 out = vertex_normals(there_, graph.faces[built.shell])[nodes]
-                found = poses(host, spot, point, own, want, out, max(1.5, len(end.nodes) / (2.0 * math.pi)))
-                ways = [(one.spot, one.tilt, one.towards, one.across) for one in had.get((k, c), [])]
-                same = unseen(alone, graph.faces[built.shell], nodes, how) if ways else []
-                choice[k, c] = found.but(ways, same)
-                likely[k, c], best = choice[k, c].best()
-                steps[k, c] = _posed(plain, best), end
+                room = max(1.5, len(end.nodes) / (2.0 * math.pi))
+                wishes[k, c] = Wish(host, spot, point, own, want, out, room)
             held_by[k, c] = nodes, how
         waiting = [key for key in waiting if key not in ready]
         standing |= set(ready)
-        for k, c in ready:
-            if even and pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps and (k, 0) not in stays:
-                both_ways = pair(choice[k, 0], choice[k, 1]) if {(k, 0), (k, 1)} <= set(choice) else None
-                if both_ways is not None:
-                    likely[k, 0] = likely[k, 1] = 0.5 * both_ways[0]
-                both = mirrored(steps[k, 0][0], steps[k, 1][0], fine)
-                for n, one in enumerate(both):
-                    on = number[pieces[k].onto[n]]
-                    spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round, fine=fine)
-                    said = replace(one, spot=spot) if both_ways is None else _posed(one, both_ways[1][n])
-                    steps[k, n] = said, steps[k, n][1]
+        for k in {k for k, c in ready if even is not None and pieces[k].rounds.copies == 2 and c == 0}:
+            both = (k, 0), (k, 1)
+            if even is None or not set(both) <= set(points):
+                continue
+            if not set(both) <= set(wishes):
+                for key, one in zip(both, mirrored(steps[k, 0][0], steps[k, 1][0], fine)):
+                    on = number[pieces[k].onto[key[1]]]
+                    spot = spot_of(spots, joined.x, on, one.spot.part, points[key], one.spot.round, fine=fine)
+                    steps[key] = replace(one, spot=spot), steps[key][1]
+                continue
+            below = graph.parts[number[pieces[k].onto[0]]]
+            fabric = slice(below.start, below.end)
+            turn, shift = fit(goal[fabric], joined.x[fabric], np.ones(below.end - below.start))
+            plane = Mirror(turned(even.point, turn) + shift, turned(even.normal, turn))
+            if found := paired(wishes[k, 0], wishes[k, 1], plane, *barred((k, 0))):
+                for key, how_ in zip(both, found[1]):
+                    pairs[key], likely[key] = how_, 0.5 * found[0]
+                    steps[key] = _posed(steps[key][0], how_), steps[key][1]
+        for key in [key for key in ready if key in wishes and key not in pairs]:
+            likely[key], best = poses(wishes[key]).but(*barred(key)).best()
+            steps[key] = _posed(steps[key][0], best), steps[key][1]
         for key, (nodes, how) in held_by.items():
             said, end = steps[key]
-            steps[key] = eased(said, graph.faces[built.shell], alone, nodes, how, key not in choice), end
+            steps[key] = eased(said, graph.faces[built.shell], alone, nodes, how, key not in wishes), end
+        for k in {k for k, _ in held_by if (k, 0) in pairs}:
+            _as_one(steps, (k, 0), (k, 1), pairs)
         held_by.clear()
     x = join(Joining(built, spots, tuple(steps.values()), ()), alone, bodies).x
     return Put([_line(said) for said, _ in steps.values()], x, {key: said for key, (said, _) in steps.items()}, likely)
@@ -214,6 +231,16 @@ def _posed(plain: Placed, how: tuple[Spot, int, int]) -> Placed:
     """``plain`` at the spot, with the lean and the turn about itself, that were found for it."""
     tilt, towards = LEANED[how[1]]
     return replace(plain, spot=how[0], tilt=float(tilt), towards=float(towards), across=float(WAYS[how[2]]))
+
+
+def _as_one(steps: dict[Key, tuple[Placed, End]], one: Key, two: Key, found: dict[Key, How]) -> None:
+    """Says the lean, and the turn about itself, of both of a pair as ``found`` where it was dropped of only one of them."""
+    said = [steps[key][0] for key in (one, two)]
+    leans, turns = (len({bool(getattr(s, what)) for s in said}) > 1 for what in ("tilt", "across"))
+    for key, now in zip((one, two), said):
+        full = _posed(now, found[key])
+        now = replace(now, tilt=full.tilt, towards=full.towards) if leans else now
+        steps[key] = replace(now, across=full.across) if turns else now, steps[key][1]
 
 
 def eased(said: Placed, faces: Array, x: Array, nodes: Array, how: Held, leans: bool) -> Placed:

@@ -296,6 +296,7 @@ def _begun(
     target = Target.of(x, faces)
     found: list[tuple[float, Task, Tried]] = []
     for tip, f in tips.choose(target, plane, params.tip, BEGINNINGS):
+        f = tips.evened(target, f, tip, plane)
         rows = max(3, round(float(f.max()) * stitch[0] / stitch[1]) - 1)
         way = fronts(x, faces, f, rows, tip)
         ahead = way.tip - np.mean([line.mean(0) for line in way.lines], axis=0)

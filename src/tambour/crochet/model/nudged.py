@@ -37,7 +37,7 @@ UNEVEN = 0.05
 class Rest:
     """Parts sewn on and at rest together. first, x : (N, 3) as they were put, and at rest; far : the mean distance from the model;
     price : that and what else is wrong; crowd : whose seams are in each other's way; off : how far each part that is sewn on lies off,
-    against what it is sewn to, and what else is wrong with it."""
+    against what it is sewn to, and what else is wrong with it; uneven : as of :func:`uneven`."""
 
     first: Array
     x: Array
@@ -45,6 +45,7 @@ class Rest:
     price: float
     crowd: list[tuple[Placed, Placed]]
     off: dict[Key, float]
+    uneven: float = 0.0
 
 
 def rested(
@@ -66,9 +67,9 @@ def rested(
     crowd = clashes(joining)
     through = crossed(x, faces)
     price = far + CLASH * len(crowd) + CROSSED * len(through) / len(faces) + (0.0 if rests else RESTLESS)
-    if plane is not None:
-        price += UNEVEN * uneven(pieces, turned(x, lain.turn) + lain.shift, plane)
-    return Rest(first, x, far, price, crowd, missing(pieces, x, faces[:, 0], faces[through, 0], crowd))
+    apart = 0.0 if plane is None else uneven(pieces, turned(x, lain.turn) + lain.shift, plane)
+    price += UNEVEN * apart
+    return Rest(first, x, far, price, crowd, missing(pieces, x, faces[:, 0], faces[through, 0], crowd), apart)
 
 
 def uneven(pieces: list[Piece], x: Array, plane: Mirror) -> float:

@@ -53,14 +53,6 @@ class Poses:
                 price[self.spots.index(spot), LEANED.index(lean), turns] = np.inf
         return Poses(self.spots, price)
 
-    def at(self, number: float) -> tuple[Array, Array]:
-        """For every lean (L,), what it costs at the best in round ``number``, and the spot and the turn (L, 2) that do it."""
-        own = [s for s, spot in enumerate(self.spots) if spot.round == number]
-        flat = self.price[own].transpose(1, 0, 2).reshape(len(LEANED), -1)
-        found = flat.argmin(1)
-        turns = self.price.shape[2]
-        return flat.min(1), np.column_stack([np.array(own)[found // turns], found % turns])
-
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Host:
@@ -79,23 +71,51 @@ class Host:
     upright: Array
 
 
-def poses(host: Host, near: Spot, point: Array, own: Array, want: Array, out: Array, room: float) -> Poses:
-    """The ways to sew a part on at places about ``near``, the one nearest to ``point``, on the fabric within ``room``.
+@dataclass(frozen=True, eq=False, slots=True)
+class Wish:
+    """Where a part belongs.
 
+    host : what it is sewn on, near ``near``, the place nearest to ``point`` (3,), on the fabric within ``room``
     own : (K, 3) its nodes, from the middle of its end: along its axis, its front and across both; want : (K, 3) where they belong;
     out : (K, 3) the normals of its fabric there
     """
-    spots, numbers = [], {r.number for r in host.spots.built.rounds if r.part == host.part}
-    for number in near.round + np.arange(-1.0, 1.1, 0.5):
+
+    host: Host
+    near: Spot
+    point: Array
+    own: Array
+    want: Array
+    out: Array
+    room: float
+
+
+def poses(wish: Wish) -> Poses:
+    """The ways to sew a part on at the places nearest to where it is wished."""
+    host, found = wish.host, list[Spot]()
+    for number, _, nodes in levels(host, wish.near):
+        about = np.argsort(length(host.x[nodes] - wish.point), kind="stable")[: BESIDE + AROUND]
+        tries = [Spot(host.name, number, s + 1.0) for s in sorted(about.tolist())]
+        far = [float(length(point_of(host, spot) - wish.point)) for spot in tries]
+        found += [tries[k] for k in np.argsort(far, kind="stable")[:BESIDE]]
+    return priced(wish, found)
+
+
+def levels(host: Host, near: Spot) -> list[tuple[float, int, Array]]:
+    """The rounds, and what lies between two, about ``near``: what each is called, the round it is counted on, and the stitches (K,) of that."""
+    found, numbers = [], {r.number for r in host.spots.built.rounds if r.part == host.part}
+    for number in (near.round + np.arange(-1.0, 1.1, 0.5)).tolist():
         low = host.spots.round_at(host.part, int(np.floor(number)))
-        if low is None or not min(numbers) <= number <= max(numbers):
-            continue
-        about = np.argsort(length(host.x[host.spots.stitches(low)] - point), kind="stable")[: BESIDE + AROUND]
-        tries = [Spot(host.name, float(number), s + 1.0) for s in sorted(about.tolist())]
-        far = [float(length(_point(host, spot) - point)) for spot in tries]
-        spots += [tries[k] for k in np.argsort(far, kind="stable")[:BESIDE]]
-    off = _off(own, want, out)
-    return Poses(tuple(spots), np.array([_prices(host, _point(host, spot), off, room) for spot in spots]))
+        if low is not None and min(numbers) <= number <= max(numbers):
+            found.append((number, low, host.spots.stitches(low)))
+    return found
+
+
+def priced(wish: Wish, spots: list[Spot]) -> Poses:
+    """The ways to sew a part on at ``spots``, with what each costs."""
+    off = _off(wish.own, wish.want, wish.out)
+    return Poses(
+        tuple(spots), np.array([_prices(wish.host, point_of(wish.host, spot), off, wish.room) for spot in spots])
+    )
 
 
 def _off(own: Array, want: Array, out: Array) -> Array:
@@ -111,7 +131,8 @@ def _off(own: Array, want: Array, out: Array) -> Array:
     return np.asarray(terms(out) + ALONG * (every[0] + every[1] + every[2]))
 
 
-def _point(host: Host, spot: Spot) -> Array:
+def point_of(host: Host, spot: Spot) -> Array:
+    """Where a spot is on the fabric, (3,)."""
     place = host.spots.place(spot)
     return np.asarray((np.array(place.weights)[:, None] * host.x[list(place.nodes)]).sum(0))
 
@@ -147,18 +168,3 @@ def _prices(host: Host, point: Array, off: Array, room: float) -> Array:
     price[1:] += WORDS
     price[:, 1:] += WORDS
     return np.asarray(price)
-
-
-def pair(one: Poses, two: Poses) -> tuple[float, tuple[tuple[Spot, int, int], tuple[Spot, int, int]]] | None:
-    """The best ways to sew on a pair, in the same round, leaning as each other's mirror image, and the price of both; None where they share
-    no round."""
-    image = [LEANED.index((tilt, -towards % 360)) for tilt, towards in LEANED]
-    best: tuple[float, tuple[Spot, int, int], tuple[Spot, int, int]] | None = None
-    for number in sorted({s.round for s in one.spots} & {s.round for s in two.spots}):
-        (cost, how), (other, way) = one.at(number), two.at(number)
-        both = cost + other[image]
-        k = int(both.argmin())
-        if best is None or both[k] < best[0]:
-            (s, a), (t, b) = how[k], way[image[k]]
-            best = float(both[k]), (one.spots[s], k, int(a)), (two.spots[t], image[k], int(b))
-    return None if best is None else (best[0], best[1:])

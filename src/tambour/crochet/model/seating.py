@@ -10,7 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.model.assemble import Key, Nudges, Piece, Put, placed
 from tambour.crochet.model.distance import Target
-from tambour.crochet.model.nudged import Rest, alike, between, nudged, rested
+from tambour.crochet.model.nudged import UNEVEN, Rest, alike, between, nudged, rested
 from tambour.crochet.model.rounds import Round
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.tips import Mirror
@@ -22,17 +22,14 @@ if TYPE_CHECKING:
 
 ALL = 4
 """How often the parts are put together, all aimed by what all gave way."""
-SOUGHT, PAIRED = 3, 2
-"""How often each part is then tried elsewhere, all at once, and keeps the best it had; and, after that, how often pairs that say the same
-angles are."""
-SINGLY, SINGLY_PAIRED = 7, 4
-"""After either, how often one part, or one pair, is tried elsewhere by itself and kept where the whole comes nearer."""
-HOPE = 0.02
-"""Toys of pairs that say the same angles are not gone on with where they are farther off by so much, in stitches, than what they may be."""
+SOUGHT, SINGLY, PAIRED = 3, 7, 9
+"""How often each part, or each pair, is then tried elsewhere, all at once, and keeps the best it had; and how often, after that, one by itself,
+kept where the whole comes nearer; and how often of a toy that has pairs."""
+SEEN, FREE, SINGLY_FREE = 1.0, 2, 5
+"""Where pairs in the same words lie so far from each other's image at rest, in stitches, as many tries of either kind are made with words of
+their own: half a stitch no hand can tell, as rounds climb by half a row from one side to the other."""
 LARGE = 4000
 """Stitches of a toy that is tried fewer times than a smaller one, as its simulation takes longer."""
-PAIR = 0.01
-"""How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 WORTH = 0.3
 """How much farther off than it was at its best, in stitches, a part may be likely to come, to be tried there: how it gives way is other in
 another place."""
@@ -55,25 +52,27 @@ def seated(
     seats = Seats(pieces, target, params, stitch, plane)
     nudges: Nudges = {}
     far: dict[Key, float] = {}
+    pairs = [((k, 0), (k, 1)) for k, p in enumerate(pieces) if p.rounds.copies == 2 and p.bases[0] is not None]
+    mirror = plane if pairs else None
     for k in range(ALL):
         if k in ROOTED:
             longer = [
                 fitted(p, [far[n, c] for c in range(len(p.goals))], params, stitch) for n, p in enumerate(seats.pieces)
             ]
             seats.pieces = longer
-        now = seats.rest(placed(seats.pieces, seats.aimed(nudges), False, seats.fine), nudges)
+        aims = nudges if mirror is None else alike(seats.pieces, nudges, mirror)
+        now = seats.rest(placed(seats.pieces, seats.aimed(aims), mirror, seats.fine), aims, mirror is not None)
         nudges, far = nudged(seats.pieces, now.first, now.x)
     seats.pieces = seats.best.pieces
     many = min(1.0, LARGE / sum(len(g) for p in pieces for g in p.goals))
     singles: list[tuple[Key, ...]] = [(key,) for key in seats.keys]
-    sought(seats, singles, None, max(2, round(SOUGHT * many)))
-    changed(seats, singles, None, max(2, round(SINGLY * many)))
-    pairs = [tuple((k, c) for c in range(p.rounds.copies)) for k, p in enumerate(pieces) if p.rounds.copies == 2]
-    if plane is not None and pairs:
-        both = {key for pair in pairs for key in pair}
-        units = [*pairs, *(one for one in singles if one[0] not in both)]
-        sought(seats, units, plane, max(2, round(PAIRED * many)))
-        changed(seats, units, plane, max(2, round(SINGLY_PAIRED * many)))
+    both = {key for pair in pairs for key in pair} if mirror is not None else set()
+    units = singles if mirror is None else [*pairs, *(one for one in singles if one[0] not in both)]
+    sought(seats, units, mirror, max(2, round(SOUGHT * many)))
+    changed(seats, units, mirror, max(2, round((SINGLY if mirror is None else PAIRED) * many)))
+    if mirror is not None and seats.best.rest.uneven > SEEN:
+        sought(seats, singles, None, max(2, round(FREE * many)))
+        changed(seats, singles, None, max(2, round(SINGLY_FREE * many)))
     return seats.best.pieces, seats.best.put.lines, seats.way
 
 
@@ -81,7 +80,7 @@ def seated(
 class Seat:
     """One way in which all parts were sewn on.
 
-    nudges : how they were aimed; price : what it came to; even : whether pairs say the same angles
+    nudges : how they were aimed; price : what it came to
     """
 
     pieces: list[Piece]
@@ -89,7 +88,6 @@ class Seat:
     rest: Rest
     nudges: Nudges
     price: float
-    even: bool = False
 
 
 @dataclass(eq=False, slots=True)
@@ -135,10 +133,10 @@ class Seats:
         """Whether parts were sewn on so before."""
         return any(seat.pieces is self.pieces and seat.put.lines == put.lines for seat in self.had)
 
-    def rest(self, put: Put, nudges: Nudges, less: float = 0.0, even: bool = False) -> Rest:
-        """How all comes to rest that is put so; its price is taken for ``less`` than it is."""
+    def rest(self, put: Put, nudges: Nudges, same: bool = False) -> Rest:
+        """How all comes to rest that is put so. Pairs in the ``same`` words are worth a stitch by which they lie less like each other's image."""
         now = rested(self.pieces, put.lines, put.x, self.target, self.params, self.stitch, self.plane)
-        self.had.append(Seat(self.pieces, put, now, nudges, now.price - less, even))
+        self.had.append(Seat(self.pieces, put, now, nudges, now.price - UNEVEN * SEEN * same))
         self.away = {}
         names = {p.name(c): (k, c) for k, p in enumerate(self.pieces) for c in range(len(p.goals))}
         for one, other in now.crowd:
@@ -155,16 +153,13 @@ def sought(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, tim
     """Tries every unit, a part or a pair of parts, elsewhere, all at once: where it is the likeliest to come to rest where it belongs,
     gives it way as it did the best time; each keeps the best that it had. In the end all of them are sewn on as was best for each.
 
-    plane : of pairs that say the same angles as each other's mirror image
+    plane : of pairs in the same words, as each other's mirror image
     """
-    even, less = plane is not None, PAIR if plane is not None else 0.0
-    old = [seat for seat in seats.had if seat.pieces is seats.pieces]
-    mine: list[Seat] = [] if even else list(old)
+    mine = [seat for seat in seats.had if seat.pieces is seats.pieces]
 
     def best(unit: tuple[Key, ...]) -> Seat:
-        """The way in which a unit lay best: a pair among those of pairs, once there is one."""
-        had = mine if len(unit) > 1 and mine else [*old, *mine] if even else mine
-        return min(had, key=lambda seat: sum(seat.rest.off[key] for key in unit))
+        """The way in which a unit lay best."""
+        return min(mine, key=lambda seat: sum(seat.rest.off[key] for key in unit))
 
     for k in range(times + 1):
         aims: Nudges = {}
@@ -172,26 +167,25 @@ def sought(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, tim
         for unit in units:
             seat = best(unit)
             home = nudged(seats.pieces, seat.rest.first, seat.rest.x)[0]
-            tries = len(mine) - mine.index(seat) if seat in mine else 1
+            tries = len(mine) - mine.index(seat)
             for key in unit:
                 aims[key] = between(seat.nudges.get(key), home[key], 0.5 ** (tries - 1)) if seats.fine else home[key]
         if plane is not None:
             aims = alike(seats.pieces, aims, plane)
         had = {unit[0]: [seat.put.said[unit[0]] for seat in mine] for unit in units}
         stays: dict[Key, Placed] = {}
-        if mine:
-            put = placed(seats.pieces, seats.aimed(aims), even, seats.fine, {}, had)
-            for unit in units:
-                seat = best(unit)
-                now = float(np.mean([seat.rest.off[key] for key in unit]))
-                likely = float(np.mean([put.likely.get(key, 0.0) for key in unit]))
-                if last or likely > now + WORTH:
-                    stays |= {key: seat.put.said[key] for key in unit}
-                    aims |= {key: seat.nudges[key] for key in unit if key in seat.nudges}
-        put = placed(seats.pieces, seats.aimed(aims), even, seats.fine, stays, had)
-        if seats.known(put) and mine:
+        put = placed(seats.pieces, seats.aimed(aims), plane, seats.fine, {}, had)
+        for unit in units:
+            seat = best(unit)
+            now = float(np.mean([seat.rest.off[key] for key in unit]))
+            likely = float(np.mean([put.likely.get(key, 0.0) for key in unit]))
+            if last or likely > now + WORTH:
+                stays |= {key: seat.put.said[key] for key in unit}
+                aims |= {key: seat.nudges[key] for key in unit if key in seat.nudges}
+        put = placed(seats.pieces, seats.aimed(aims), plane, seats.fine, stays, had)
+        if seats.known(put):
             break
-        seats.rest(put, aims, less, even)
+        seats.rest(put, aims, plane is not None)
         mine.append(seats.had[-1])
 
 
@@ -199,16 +193,12 @@ def changed(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, ti
     """Tries one unit after another elsewhere in the best toy there is, all others where they are, and keeps what brings the whole nearer; the
     one that lies off by most, for its size, first: what is best for each part is not for all of them, which give way together.
 
-    plane : of pairs that say the same angles as each other's mirror image: those are not gone on with that are still far behind
+    plane : of pairs in the same words, as each other's mirror image
     """
-    even, less = plane is not None, PAIR if plane is not None else 0.0
     same = [seat for seat in seats.had if seat.pieces is seats.pieces]
-    pool = [seat for seat in same if seat.even == even or not even]
-    if not pool:
+    if not same:
         return
-    now = min(pool, key=lambda seat: seat.price)
-    if now.price > seats.best.price + HOPE:
-        return
+    now = min(same, key=lambda seat: seat.price)
     had = {unit[0]: [seat.put.said[unit[0]] for seat in same] for unit in units}
     size = {(k, c): len(goal) for k, p in enumerate(seats.pieces) for c, goal in enumerate(p.goals)}
     order: list[tuple[Key, ...]] = []
@@ -221,11 +211,11 @@ def changed(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, ti
         if plane is not None:
             aims = alike(seats.pieces, aims, plane)
         stays = {key: said for key, said in now.put.said.items() if key not in unit}
-        put = placed(seats.pieces, seats.aimed(aims), even, seats.fine, stays, had)
+        put = placed(seats.pieces, seats.aimed(aims), plane, seats.fine, stays, had)
         had[unit[0]].append(put.said[unit[0]])
         if seats.known(put):
             continue
-        seats.rest(put, aims, less, even)
+        seats.rest(put, aims, plane is not None)
         if seats.had[-1].price < now.price:
             now = seats.had[-1]
 

@@ -41,6 +41,8 @@ STRIDE, NEARER = 0.2, 0.75
 LOST, WIDE, LEANING, HOLLOW = 4.0, 0.2, 0.5, 4.0
 """What it costs, in stitches that rings are off, that rounds leave all of a surface out, begin twice as wide as a tip is, lean as far as
 can be, and begin inside of a hollow."""
+BESIDE = 1.0
+"""A tip so near to the mirror plane of its surface, in stitches, is in it: its rounds are as high on the one side as on the other."""
 PAIRED, APART = 3, 0.45
 """How many tips are tried with another end, and how far from each other the two lie, as a share of the longest way."""
 
@@ -220,6 +222,17 @@ def choose(surface: Target, plane: Mirror | None, side: str | None, few: int = 3
     double = sorted((_price(surface, f, a), a, b) for (a, b), f in both.items())
     best = [*single[:1], *double[:1], *sorted([*single[1:], *double[1:]])][:few]
     return [(a, ways[a] if a == b else both[a, b]) for _, a, b in sorted(best)]
+
+
+def evened(surface: Target, f: Array, tip: int, plane: Mirror | None) -> Array:
+    """A way ``f`` (V,) from a vertex ``tip`` in the mirror ``plane``, as long on the one side as on the other: a tip is a corner, and the
+    surface has its corners elsewhere left and right, by which all its rounds would lean to one side. As it is of a tip beside the plane."""
+    if plane is None or abs(float(plane.off(surface.vertices[tip]))) > BESIDE:
+        return f
+    face, uv, _ = nearest(surface.tree, plane.image(surface.vertices))
+    a, b, c = (f[surface.faces[face, k]] for k in range(3))
+    even = 0.5 * (f + a + uv[:, 0] * (b - a) + uv[:, 1] * (c - a))
+    return np.asarray(np.where(np.isfinite(even), even, f))
 
 
 def _price(surface: Target, f: Array, tip: int) -> float:

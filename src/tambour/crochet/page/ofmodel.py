@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import combinations, groupby
 
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.finish.placing import frames
+from tambour.crochet.finish.placing import AROUND, frames, sides
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish, Placed
@@ -24,19 +24,10 @@ from tambour.weights import WEIGHTS
 
 LEVEL = 0.96
 """A place is on top, or underneath, where its fabric is so level (the cosine of its slope)."""
-STANDS = 0.6
-"""A part stands, and has a front, where its axis is so upright (as a cosine); else it lies, and has a top."""
-AROUND = 0.38
-"""Up to so far round it is told from the middle of the front, or of the top; beyond from the other side."""
 FEW = 5
 """A part of fewer rounds is stuffed at its end."""
-_SIDES = {
-    "mid front": ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)),
-    "mid back": ((0.0, 0.0, -1.0), (-1.0, 0.0, 0.0)),
-    "mid top": ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
-    "mid under": ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0)),
-}
-"""A side of a toy: where it looks, and where its right is, as one sees it."""
+_RIGHT = {"mid back": -1.0}
+"""Which way along x is the right of a side of a toy, as one sees it; 1 unless said."""
 
 
 def of_model(piece: Plush) -> bool:
@@ -184,12 +175,24 @@ class Sewn:
         if len(nodes) < 3:
             return None
         off = self.x[nodes] - self.x[nodes].mean(0)
-        axis = np.cross(off, np.roll(off, -1, 0)).sum(0)
-        axis = axis / max(float(np.sqrt((axis**2).sum())), 1e-9)
-        if abs(float(axis[0])) > STANDS:
-            return None  # it points sideways: its sides have no left and right
-        sides = ("mid front", "mid back") if abs(float(axis[1])) >= STANDS else ("mid top", "mid under")
-        return nodes, {side: int((off * _SIDES[side][0]).sum(1).argmax()) for side in sides}
+        found = {side: int((off * way).sum(1).argmax()) for side, way in sides(self.x[nodes]).items()}
+        return (
+            (nodes, {side: self._halfway(part, number, i, len(nodes)) for side, i in found.items()}) if found else None
+        )
+
+    def _halfway(self, part: int, number: int, middle: int, n: int) -> int:
+        """The ``middle`` of a round of ``n`` stitches, or the stitch beside it that is as far from the one of a pair as from the other."""
+        seams = [
+            (f.part.rpartition(".")[0], int(f.spot.stitch))
+            for f in self.built.pattern.finish
+            if isinstance(f, Placed)
+            and f.spot.stitch is not None
+            and self.spots.parts[f.spot.part] == part
+            and math.floor(f.spot.round) == number
+        ]
+        sums = {a + b - 2 for (one, a), (other, b) in combinations(seams, 2) if one == other != ""}
+        found = [m for m in (middle, middle - 1, middle + 1) if (2 * m) % n in {both % n for both in sums}]
+        return found[0] % n if found else middle
 
     def _side(self, record: Placed) -> str:
         """How many stitches it is from the middle of the nearer side."""
@@ -204,7 +207,7 @@ class Sewn:
         what = self.page[side]
         if not off[side]:
             return self.page["at mid"].format(what=what)
-        way = float(((self.x[nodes[at % n]] - self.x[nodes[middles[side]]]) * _SIDES[side][1]).sum())
+        way = float(self.x[nodes[at % n], 0] - self.x[nodes[middles[side]], 0]) * _RIGHT.get(side, 1.0)
         key = "right of" if way > 0.0 else "left of"
         one = abs(off[side]) == 1
         return self.page[key.replace(" of", " one") if one else key].format(n=abs(off[side]), what=what)
