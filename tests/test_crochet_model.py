@@ -61,7 +61,7 @@ from tambour.crochet.model.ways import between, ringed
 from tambour.crochet.model.whole import area, bodies, corners, refined, volume, where
 from tambour.crochet.page import instructions
 from tambour.crochet.page.instructions import words
-from tambour.crochet.page.ofmodel import noted
+from tambour.crochet.page.ofmodel import Sewn, noted
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
@@ -478,6 +478,32 @@ def test_mirrored_limbs_are_one_part_made_twice_and_sewn_on() -> None:
     turn, shift = fit(again.positions, piece.positions, np.ones(len(piece.positions)))
     off = np.sqrt(((turned(again.positions, turn) + shift - piece.positions) ** 2).sum(1)) / piece.stitch[0]
     assert float(off.mean()) < 0.05, off.mean()
+
+
+@pytest.mark.parametrize("beside", [0, 1, 2])
+def test_the_words_of_a_pair_count_alike_from_the_stitch_halfway_between_them_and_say_the_same_ways(
+    beside: int,
+) -> None:
+    counts = [6, 12, 18, 24, 24, 24, 24, 24, 18, 12, 6]
+    ball = Rounds("Ball", 6, tuple(even(a, b) for a, b in pairwise(counts)))
+    ear = Rounds("Ear", 6, (Round(("sc",) * 6),) * 3, closed=False, copies=2)
+    known = Spots(build(pattern([ball])))
+    x, k = settled(ball, CrochetParams()).x, known.round_at(0, 5)
+    assert k is not None
+    front = int(x[known.stitches(k)][:, 2].argmax()) + beside
+    left, right = ((front + side * 4) % 24 + 1 for side in (-1, 1))
+    lines = [
+        f"place(Ear.1, Ball, round=5, stitch={left}, tilt=30, towards=30)",
+        f"place(Ear.2, Ball, round=5, stitch={right}, tilt=30, towards=330)",
+    ]
+    built = build(pattern([ball, ear], lines))
+    none: Any = None
+    all_ = np.concatenate([x, *(settled(ear, CrochetParams()).x,) * 2])
+    piece: Any = SimpleNamespace(built=built, positions=all_, stitch=(5.0, 5.0), aim=none)
+    sewn = Sewn(piece, words(built, exact=False))
+    one, two = (sewn.said(f) for f in built.pattern.finish if isinstance(f, Placed))
+    assert "4 stitches to the " in one and "4 stitches to the " in two, (one, two)
+    assert ("to the right" in one) != ("to the right" in two)
 
 
 def test_rounds_of_a_surface_that_is_its_own_image_lie_level_though_its_corners_do_not() -> None:

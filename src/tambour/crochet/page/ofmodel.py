@@ -24,6 +24,8 @@ from tambour.weights import WEIGHTS
 
 LEVEL = 0.96
 """A place is on top, or underneath, where its fabric is so level (the cosine of its slope)."""
+BESIDE = 8
+"""The middle between the two of a pair is the middle of a side if it is no farther from it than one of so many shares of the round."""
 FEW = 5
 """A part of fewer rounds is stuffed at its end."""
 _RIGHT = {"mid back": -1.0}
@@ -135,6 +137,13 @@ def _rows(rows: tuple[Row, ...], part: int, sewn: Sewn, made: Words) -> tuple[Ro
     return tuple(lines)
 
 
+def _twins(one: Placed, other: Placed) -> bool:
+    """Whether two parts are a pair sewn on in one round of one part."""
+    (name, _, copy), (twin, _, second) = one.part.rpartition("."), other.part.rpartition(".")
+    where, there = one.spot, other.spot
+    return name == twin != "" and copy != second and (where.part, where.round) == (there.part, there.round)
+
+
 class Sewn:
     """Says where the parts of a piece are sewn on: the rounds that an end lies over, and how far it is from the middle of a side."""
 
@@ -143,13 +152,15 @@ class Sewn:
         self.spots = Spots(piece.built)
         copies = {s.name: s.copies for s in piece.built.pattern.parts if s.name}
         self.phrases = Phrases(made.terms, copies, {})
+        self._seams = [f for f in piece.built.pattern.finish if isinstance(f, Placed)]
 
     def said(self, record: Placed) -> str:
         """The sentence of a part sewn on; "" where it has no words for its place or its angles."""
         spot = record.spot
         if spot.stitch is None or spot.stitch % 1.0 or spot.round % 0.5:
             return ""
-        up = float(frames(self.spots, self.x, [spot]).normals[0][1])
+        pair = [spot, *(other.spot for other in self._seams if _twins(record, other))]  # one wording for both
+        up = float(frames(self.spots, self.x, pair).normals[:, 1].mean())
         ways = WAYS[1] if up > LEVEL else WAYS[2] if up < -LEVEL else WAYS[0]
         where = ", ".join(said for said in (self._rounds(record), self._side(record)) if said)
         words = self.phrases.sewn(record, where, ways) or ""
@@ -181,18 +192,15 @@ class Sewn:
         )
 
     def _halfway(self, part: int, number: int, middle: int, n: int) -> int:
-        """The ``middle`` of a round of ``n`` stitches, or the stitch beside it that is as far from the one of a pair as from the other."""
-        seams = [
-            (f.part.rpartition(".")[0], int(f.spot.stitch))
-            for f in self.built.pattern.finish
-            if isinstance(f, Placed)
-            and f.spot.stitch is not None
-            and self.spots.parts[f.spot.part] == part
-            and math.floor(f.spot.round) == number
-        ]
-        sums = {a + b - 2 for (one, a), (other, b) in combinations(seams, 2) if one == other != ""}
-        found = [m for m in (middle, middle - 1, middle + 1) if (2 * m) % n in {both % n for both in sums}]
-        return found[0] % n if found else middle
+        """The ``middle`` of a round of ``n`` stitches, or the stitch near it that is as far from the one of a pair as from the other."""
+        sums = {
+            (int(one.spot.stitch) + int(two.spot.stitch) - 2) % n
+            for one, two in combinations(self._seams, 2)
+            if one.spot.stitch is not None and two.spot.stitch is not None and _twins(one, two)
+            if self.spots.parts[one.spot.part] == part and math.floor(one.spot.round) == number
+        }
+        near = sorted(range(-max(1, n // BESIDE), max(1, n // BESIDE) + 1), key=abs)
+        return next(((middle + k) % n for k in near if 2 * (middle + k) % n in sums), middle)
 
     def _side(self, record: Placed) -> str:
         """How many stitches it is from the middle of the nearer side."""
