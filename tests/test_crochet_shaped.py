@@ -1,10 +1,11 @@
 """What the shapes of parts say of where they go: heads with snouts that no word names, long tails."""
 
 import numpy as np
+import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
-from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
@@ -87,3 +88,82 @@ def test_a_long_thin_tail_lies_behind_its_toy_and_aside() -> None:
 def test_a_short_tail_holds_itself_up() -> None:
     body, tail = tail_of(6)
     assert tail[0, 1] > body[:, 1].min() + 3.0
+
+
+NECKED = """BODY
+With A, ch 8, join to form a ring.
+Rnd 1: sc around (8)
+Rnds 2-9: sc around (8)
+Rnd 10: inc x 8 (16)
+Rnd 11: (sc, inc) x 8 (24)
+Rnds 12-18: sc around (24)
+Rnd 19: (sc, dec) x 8 (16)
+Rnd 20: dec x 8 (8)
+Rnds 21-32: sc around (8)
+Rnd 33: dec x 4 (4)
+Fasten off.
+
+"""
+FOUR = """LEGS (make 4)
+Rnd 1: 6 sc in MR (6)
+Rnds 2-4: sc around (6)
+Fasten off.
+
+"""
+BALL = """HEAD
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnds 4-7: sc around (18)
+Rnd 8: (sc, dec) x 6 (12)
+Rnd 9: dec x 6 (6)
+Fasten off and close.
+
+"""
+
+
+def test_legs_are_under_the_trunk_and_not_under_the_neck_or_the_tail() -> None:
+    pattern = read_printed(text(NECKED + FOUR + BALL, "Sew the legs and the head to the body.", "Dinosaur"))
+    rounds = [f.spot.round for f in pattern.finish if isinstance(f, Placed) and f.part.startswith("LEGS")]
+    assert len(rounds) == 4 and all(10.0 <= n <= 20.0 for n in rounds)
+    head = next(f for f in pattern.finish if isinstance(f, Placed) and f.part == "HEAD")
+    assert head.spot.part == "BODY" and head.spot.round <= 0.0  # on the end of the neck
+
+
+@pytest.mark.parametrize("begins, up", [("Begin at bottom. ", "end"), ("", "side")])
+def test_a_body_that_begins_at_its_bottom_sits_on_it_with_four_legs_too(begins: str, up: str) -> None:
+    body = BODY.replace("Rnd 1: ", f"{begins}\nRnd 1: ", 1).replace(
+        "Rnd 15: dec x 6 (6)\nFasten off and close.", "Fasten off."
+    )
+    pattern = read_printed(text(body + FOUR + BALL, "Sew the legs and the head to the body.", "Puppy"))
+    assert (next(p.up for p in pattern.parts if p.name == "BODY") or "end") == up
+
+
+def test_what_is_sewn_to_the_end_of_an_arm_is_at_its_tip() -> None:
+    arms = EARS.replace("EARS", "ARMS").replace("2-4", "2-9")
+    wand = EARS.replace("EARS (make 2)", "WAND").replace("2-4", "2-12")
+    pattern = read_printed(text(BODY + arms + wand, "Sew the arms to the body. Sew the wand to the end of one arm."))
+    spot = next(f.spot for f in pattern.finish if isinstance(f, Placed) and f.part == "WAND")
+    assert spot.part.startswith("ARMS") and spot.round == 0.0
+
+
+def test_a_head_within_a_piece_is_where_its_heading_stands_though_rows_are_numbered_on() -> None:
+    half = (
+        "FRONT AND BACK (make 2)\nWith A, ch 15.\nRow 1: sc in 2nd ch from hook and in each ch across, turn (14)\n"
+        "Rows 2-14: ch 1, sc across, turn (14)\nHead: Row 1: With B, ch 1, sc across, turn (14)\n"
+        "Rows 2-10: ch 1, sc across, turn (14)\nFasten off.\n\n"
+    )
+    said = "With wrong sides together sew front and back together, leaving an opening for stuffing. Stuff. Embroider the eyes and a smile."
+    pattern = read_printed(text(half, said))
+    faces = [s.round for f in pattern.finish if isinstance(f, Embroidery) for s in f.spots]
+    assert faces and min(faces) > 14.0
+
+
+@pytest.mark.parametrize("since, rounds", [("", 20), (" from beginning", 20), (" from top of cuff", 31)])
+def test_a_length_is_measured_from_where_it_is_said_to_begin(since: str, rounds: int) -> None:
+    legs = (
+        "LEGS (make 2)\nRnd 1: 8 sc in MR (8)\nRnds 2-10: sc around (8)\nRnd 11: sc around (8)\n"
+        f"Rep last rnd until leg{since} measures 4 in.\nFasten off.\n\n"
+    )
+    pattern = read_printed(Text(f"Toy\n\nGAUGE\n20 sc and 20 rows = 4 in\n\n{legs}", "toy.txt"))
+    assert sum(line.times for line in pattern.parts[0].lines if line.in_round) == rounds

@@ -103,6 +103,7 @@ class Assembly(Hosts):
         # A toy of one body has one head: its two pieces are halves of it, joined by a gusset.
         both |= {p.name for p in self.parts if bodied and p.kind == "head" and p.copies == 2}
         self.parts = [replace(p, halved=p.name in both) for p in self.parts]
+        self.sections |= {p.name: made for p in self.parts if p.halved and (made := self._sections(p))}
         for k, before in onward(
             built
         ):  # rounds that go on from two legs are the body, those from an arm the rest of it

@@ -32,6 +32,10 @@ _BEHIND_EYES: Final = 4.0
 """So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _FULL: Final = 0.85
 """Where a head has so much of its widest round its snout and its brow are past."""
+_NECK_OF, _THINNER = 0.2, 0.6
+"""A neck is so much of a body's rounds, or more, with no more than this share of its widest; its trunk has more."""
+_TRUNK = 0.2, 0.6
+"""A trunk has so much of a body's rounds, and no more than that where a neck or a tail is worked in one with it."""
 _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
 
@@ -43,6 +47,8 @@ class Jointer(Holder):
         """A head that looks ahead, on the neck of what lies, or on its front where it has none; its face above."""
         host, copy, way = self.work.host(neck), put.copies[0], _ON_NECK
         pole = None if self._lies(neck) else host.pole(way.direction, 0.3)
+        if pole is None and self._long_neck(host):
+            pole = host.pole(np.array([0.0, 0.0, 1.0]))  # its end, and not the back of it
         far = pole or host.near(host.towards(_ON_FRONT if pole is None else way.direction))
         spot = replace(far, span=put.span)
         record = self._face_up(self._placed(put, copy, spot, way, host), copy)
@@ -50,6 +56,24 @@ class Jointer(Holder):
             record = replace(record, points=way.axis)  # which way it looks is not left to how its neck leans
         self.stand.place(record)
         return record
+
+    @staticmethod
+    def _long_neck(host: Host) -> bool:
+        """Whether what lies begins with a neck that is much narrower than the body behind it, over a good part of its rounds."""
+        counts = [len(ring) for _, ring in host.levels]
+        first = counts[: max(2, int(_NECK_OF * len(counts)))]
+        return max(first) <= _THINNER * max(counts) and counts.index(max(counts)) >= len(first)
+
+    def _trunk(self, host: Host) -> Host:
+        """Of a body that is worked in one with a neck or a tail the rounds that are as wide as its trunk, which bears its legs."""
+        counts, numbers = [len(ring) for _, ring in host.levels], [n for n, _ in host.levels]
+        widest = counts.index(max(counts))
+        wide = [c >= _THINNER * counts[widest] for c in counts]
+        low = next((k + 1 for k in range(widest, -1, -1) if not wide[k]), 0)
+        high = next((k - 1 for k in range(widest, len(wide)) if not wide[k]), len(wide) - 1)
+        if not _TRUNK[0] * len(counts) <= high - low + 1 < _TRUNK[1] * len(counts):
+            return host
+        return self.stand.host(host.name, numbers[low], numbers[high])
 
     def _face_up(self, record: Placed, copy: Copy) -> Placed:
         """A head that looks ahead, turned about its nose so that the front of its rounds, where its face is, is above."""

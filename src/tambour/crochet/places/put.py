@@ -148,6 +148,8 @@ class Putter(Pairer):
         if kind == "spot" and onto[0].kind in within:
             region = onto[0].kind  # of the cap, and not of the legs
         host = work.host(onto, region)
+        if lies and kind in ("leg", "foot", "wing") and put.where.rounds is None:
+            host = self._trunk(host)
         put = replace(put, where=self._counted(put.where, host))
         if (rows := in_rows(put, host, lies, work.text)) is not None:
             put, ways = rows
@@ -344,7 +346,7 @@ class Putter(Pairer):
         if (brow := self._brow(put, host)) is not None:
             about = np.where(direction[0] > 0.0, BROW, BROW * (-1.0, 1.0, 1.0))
             near = Spot(host.name, brow, host.in_round(brow, about))
-        if put.kind in ("ear", "horn"):
+        if put.kind in ("ear", "horn", "hat"):
             near = self._behind_face(put, host, near, direction, self._half(put.copies[k]))
         if (
             len(put.copies) == 1

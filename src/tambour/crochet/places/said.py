@@ -90,7 +90,8 @@ _WHERE: Final[dict[str, str]] = {
     "middle": r"\b(?:middle|cent(?:er|re)(?:ed|d)?|midline|halfway)\b",
     "neck": r"\b(?:neck|chin)\b",
     "forehead": r"\bforehead\b",
-    "tip": r"\b(?:tip|narrow end|pointed end|far end)\b",
+    "tip": r"\b(?:tip|narrow end|pointed end|far end)\b|\b(?:to|on|onto|at) (?:the )?ends? of (?:the |each |one |an? |left |right )*"
+    r"(?:arms?|legs?|tails?|horns?|antennae?|trunks?|sleeves?)\b",
     "outwards": r"\b(?:outwards?|out to the sides?|sticking out|to the sides)\b",
     "inwards": r"\binwards?\b",
     "upwards": r"\b(?:upwards?|standing up|stand(?:s|ing)? up|pointing up|upright|point(?:s)? up)\b",

@@ -34,7 +34,7 @@ _SAME: Final = re.compile(r"\b(?:same as|as (?:given )?for|like)\b")
 _FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
 _WITHIN: Final = re.compile(
     r"\n\s*(?:(?:cont(?:inue)?|beg(?:in)?|shape)\.? (?:for |with )?(?:the )?)?(head|body|neck|cap|torso)\s*(?::\s*\n?|[-–—]\s*|\n)"
-    r"(?:next |see [^\n]*\n)?(?:(?:rnd|round|row)s?\s+)?(\d+)(?:st|nd|rd|th)?\b"
+    r"(?:see [^\n]*\n)?(?:(?:next )?(?:rnd|round|row)s?\s+)?(?:next )?(\d+|next)(?:st|nd|rd|th)?\b"
 )
 """Headings within a piece, with the number of the round that follows."""
 _NAMELESS: Final = re.compile(r"(?:part|piece)(?:_\w+)?$")
@@ -136,14 +136,25 @@ class Toy:
         part = next(p for p in parts if p.name == made.name)
         end = min((p.span.start for p in parts if p.span.start > part.span.start), default=len(self.text))
         low, high = numbers_of(self.spots, self.spots.parts[made.copy(1)])
-        found = [(m[1], int(m[2])) for m in _WITHIN.finditer(self.text, part.span.start, end)]
-        found = [(kind_of(word), n) for word, n in found if low < n <= high and kind_of(word)]
+        rounds = [line for line in part.lines if line.in_round and line.number is not None]
+        found: list[tuple[str, int]] = []
+        for m in _WITHIN.finditer(self.text, part.span.start, end):
+            kind = kind_of(m[1])
+            n = next((line.number or 0 for line in rounds if line.span.end > m.start(2)), 0)  # which may be numbered on
+            if kind and low < n <= high and kind != (found[-1][0] if found else ""):
+                found.append((kind, n))
         if [n for _, n in found] != sorted({n for _, n in found}) or not {"head", "body"} & {k for k, _ in found}:
             return {}
-        first = "head" if not any(kind == "head" for kind, _ in found) else made.kind
+        first = "head" if not any(kind == "head" for kind, _ in found) else made.kind or "body"
+        if made.worn or "leg" in made.kinds or (first == "head" and self._other_head(made)):
+            first = "leg"  # "Breeches", "Legs and body"
         begins = [(first, low), *found]
         ends = [n - 1 for _, n in found] + [high]
         return {kind: (a, b) for (kind, a), b in reversed(list(zip(begins, ends))) if kind and b - a >= 2}
+
+    def _other_head(self, made: Made) -> bool:
+        """Whether a part of another name is the head."""
+        return any(p != made and p.single and p.kind == "head" for p in self.parts)
 
     def ahead(self, made: Made) -> bool:
         """Whether a part is worked from its nose, or from a vehicle's front: its first rounds look ahead."""

@@ -21,6 +21,10 @@ _REAR: Final = re.compile(
     r"(?:rear|back|hind|tail|bum|bottom) end\b(?! of)|\b(?:beg(?:in(?:ning)?)?|start(?:ing)?)\.?\s+(?:at|from)\s+(?:the\s+)?(?:rear|rump|tail|bum)\b"
 )
 """What lies and begins so has its end ahead."""
+_SEAT: Final = re.compile(
+    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:bottom|base|seat)\b(?! (?:end|of (?:the )?(?:head|leg)))"
+)
+"""A body that begins so stands on it, or sits, though it has four legs."""
 _NECK: Final = 0.7
 """A long neck: the first quarter of a body's rounds stays narrower than this share of the widest."""
 _MEASURED: Final = re.compile(r"(?:^|\n)(?P<of>[^\n.]*)\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
@@ -194,6 +198,8 @@ class Upright(Toy):
             return said
         if not arms and legs != 2 and not self.open(f"{main.name}.1") and self._crawls(main) and (early or not faces):
             return "side"
+        if head not in (None, main) and self._begins(main, _SEAT):
+            return "end"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:

@@ -20,6 +20,11 @@ _FRACTIONS: Final = {"1⁄4": 0.25, "1⁄2": 0.5, "3⁄4": 0.75, "1⁄3": 1 / 3,
 _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
+_SMALL: Final = frozenset(("the", "very", "your", "its", "this"))
+_BEGINS: Final = frozenset(
+    "beg begin beginning start starting foundation ch chain bottom lower cast base ring magic edge first 1st tip toe end hem rnd round row work".split()
+)
+"""Where a part begins, as people say what a length is measured from."""
 _LEADS: Final = frozenset(("ending", "end", "finishing", "finish", "on", "work", "working"))
 _LEFT: Final = frozenset(("rem", "remain", "remaining", "left", "around", "in"))
 _ONE: Final = frozenset(("round", "rnd", "row", "rd"))
@@ -317,10 +322,21 @@ def _length(c: Cursor) -> tuple[float | None, bool]:
         elif token.word in _FRACTIONS and (unit := c.look(1)) is not None and unit.word in _UNITS and length is None:
             length = _FRACTIONS[token.word] * _UNITS[unit.word]
         whole = whole and not (token.kind == "key" and token.value == "marker") and token.word != "marked"
+        whole = whole and not _from_elsewhere(c)
         c.at += 1
         end = _measured(c)
         c.at = end or c.at
     return length, whole
+
+
+def _from_elsewhere(c: Cursor) -> bool:
+    """Whether a length is measured from another place than where the part begins: "from joining rnd", "from top of shoe"."""
+    if not c.key("from"):
+        return False
+    ahead = 1
+    while (word := c.look(ahead)) is not None and word.word in _SMALL:
+        ahead += 1
+    return word is not None and word.kind != "mark" and word.word.rstrip(".") not in _BEGINS and word.value != "begin"
 
 
 def _measured(c: Cursor) -> int:

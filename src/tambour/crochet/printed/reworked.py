@@ -73,7 +73,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
         source.doubt(message, "make them agree", refers.span, True)
         total = once
     if refers.length is not None:
-        done = draft.last if refers.whole else 0
+        said = source.text.text[refers.span.start : refers.span.end].lower()
+        done = draft.last if refers.whole else _since_join(draft) if "join" in said else 0
         total = max(once, round(refers.length / p.height()) - done)
         message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
         source.doubt(message, "a number of rounds would be sure", refers.span)
@@ -175,6 +176,14 @@ def allotted(draft: Draft, head: Head, refers: list[Refers]) -> list[Head | None
         return [None] * len(refers)
     ends = list(accumulate(many))
     return [replace(head, numbers=head.numbers[b - n : b]) for n, b in zip(many, ends, strict=True)]
+
+
+def _since_join(draft: Draft) -> int:
+    """How many rounds have been worked since two pieces were joined to one, that one too."""
+    joins = [
+        k for k, one in enumerate(draft.lines) if any(isinstance(i, Action) and i.name == "attach" for i in one.items)
+    ]
+    return sum(one.times for one in draft.lines[joins[-1] :] if one.in_round) if joins else 0
 
 
 def _other_yarns(p: State, refers: Refers) -> Dye | None:
