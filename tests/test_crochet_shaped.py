@@ -5,6 +5,9 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
+from tambour.crochet.finish.capped import rim_on
+from tambour.crochet.finish.joining import prepare
+from tambour.crochet.graph.build import build
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
@@ -167,3 +170,61 @@ def test_a_length_is_measured_from_where_it_is_said_to_begin(since: str, rounds:
     )
     pattern = read_printed(Text(f"Toy\n\nGAUGE\n20 sc and 20 rows = 4 in\n\n{legs}", "toy.txt"))
     assert sum(line.times for line in pattern.parts[0].lines if line.in_round) == rounds
+
+
+def test_rounds_of_a_head_that_no_heading_names_are_those_of_the_first_part() -> None:
+    doll = SNOUTED.replace("HEAD\n", "").replace("Fasten off and close.", "Fasten off.")
+    hair = "HAIR\nWith B, work Rnds 1-3 of head.\nRnd 4: sc around (9)\nFasten off.\n\n"
+    pattern = read_printed(text(doll + hair, "Sew the hair to the head."))
+    made = next(p for p in pattern.parts if p.name == "HAIR")
+    assert sum(line.times for line in made.lines if line.in_round) == 4 and not any(line.gap for line in made.lines)
+
+
+def test_the_letter_of_a_yarn_behind_rounds_puts_no_arm_there() -> None:
+    arms = EARS.replace("EARS", "ARMS").replace("2-4", "2-9")
+    said = "Sew the arms to the body. Arms (Rounds 5-14): G."
+    rounds = [
+        {f.spot.round for f in read_printed(text(BODY + arms, s)).finish if isinstance(f, Placed)}
+        for s in (said, "Sew the arms to the body.")
+    ]
+    assert rounds[0] == rounds[1]
+
+
+def test_limbs_of_another_size_are_no_limbs_of_this_one() -> None:
+    sizes = [BODY.replace("BODY", f"{size} BODY") for size in ("LARGE", "SMALL")]
+    arms = [EARS.replace("EARS", f"{size} ARMS").replace("2-4", "2-9") for size in ("LARGE", "SMALL")]
+    pattern = read_printed(text("".join([*sizes, *arms]), "Sew the arms to the body."))
+    on = {f.part.split(".")[0] for f in pattern.finish if isinstance(f, Placed)}
+    assert on == {"LARGE ARMS"}
+
+
+def test_a_piece_that_closes_its_lower_edge_is_worked_downwards() -> None:
+    doll = BODY.replace("Rnd 15: dec x 6 (6)\nFasten off and close.", "{0}\nFasten off.")
+    last = "Rnd 15: working through both thicknesses, sc in each st across to close {0} edge (6)"
+    ups = [
+        read_printed(text(doll.format(last.format(side)) + EARS, "Sew the ears to the head. Embroider the eyes."))
+        .parts[0]
+        .up
+        for side in ("lower", "upper")
+    ]
+    assert ups[0] == "start" and ups[1] != "start"
+
+
+def test_a_wig_leaves_embroidered_eyes_free_too() -> None:
+    wig = "WIG\n" + "".join(SNOUTED.partition("Rnd 9")[0].splitlines(True)[1:])
+    head = (
+        BODY.replace("BODY", "HEAD")
+        .replace("5-12", "5-16")
+        .replace("13:", "17:")
+        .replace("14:", "18:")
+        .replace("15:", "19:")
+    )
+    cap = wig[:4] + "".join(BODY.splitlines(True)[1:5]) + "Rnds 5-8: sc around (24)\nFasten off.\n\n"
+    for said, most in (("Embroider the eyes on rounds 7 and 8.", 5), ("", 12)):
+        built = build(read_printed(text(head + cap, f"{said} Sew the wig to the top of the head.")))
+        joining = prepare(built)
+        assert joining is not None
+        placed, end = next((f, e) for f, e in joining.steps if f.part == "WIG")
+        nodes = rim_on(joining.built, joining.spots, placed, end)
+        number = next(r.number for r in built.rounds if len(nodes) and r.first <= nodes[0] <= r.last)
+        assert number is not None and (number <= most if said else number >= 8)

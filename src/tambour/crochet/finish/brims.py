@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.finish.placing import frames
-from tambour.crochet.language.finishes import Eye
+from tambour.crochet.finish.placing import eyes_on, frames
 from tambour.geometry.motion import turned
 
 if TYPE_CHECKING:
@@ -39,7 +38,7 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
     if joining is None:
         return []
     spots, graph = joining.spots, task.graph
-    eyes = [f for f in joining.built.pattern.finish if isinstance(f, Eye)]
+    eyes = eyes_on(joining.built)
     on = {spots.parts[f.part]: spots.parts[f.spot.part] for f, _ in joining.steps}
     found, x = [], x.copy()
     for f, _ in joining.steps:
@@ -48,7 +47,7 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
             continue
         if HATS.search(graph.parts[host].name.lower()):
             host = on.get(host, host)  # over the hair, which is on the head
-        mine = [e for e in eyes if spots.parts[e.spot.part] == host]
+        mine = [e for e in eyes if spots.parts[e.part] == host]
         if not mine:
             continue
         bear = {part}
@@ -56,7 +55,7 @@ def pushed_back(task: Task, x: Array, joined: Joined, own: Array) -> list[tuple[
             bear |= more
         worn, head = graph.parts[part], graph.parts[host]
         middle = x[head.start : head.end].mean(0)
-        where = frames(spots, x, [e.spot for e in mine], joined.upright)
+        where = frames(spots, x, mine, joined.upright)
         ahead = np.broadcast_to([0.0, math.sin(SIGHT), math.cos(SIGHT)], where.normals.shape)
         ways = np.stack([ahead, where.normals])[:, :, None]
         sight = (where.points[:, None] + FAR[:, None] * graph.stitch_width * ways).reshape(-1, 3)

@@ -7,11 +7,11 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.finish.placing import Frames, level
+from tambour.crochet.finish.placing import Frames, eyes_on, level
 from tambour.crochet.finish.sewing import CLEARANCE, End, is_disc
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.language.finishes import Placed
 from tambour.geometry.motion import length
 
 _FLARE: Final = 1.1
@@ -51,7 +51,7 @@ def rim_on(built: Built, spots: Spots, placed: Placed, end: End, empty: bool = F
     reach = float(_steps(built, spots, part, own).sum())
     far = np.cumsum(_steps(built, spots, host, theirs)[:: 1 if down is theirs else -1])
     at = int(np.argmin(np.abs(far - reach)))
-    eyes = [f.spot.round for f in built.pattern.finish if isinstance(f, Eye) and f.spot.part == placed.spot.part]
+    eyes = [spot.round for spot in eyes_on(built, placed.spot.part)]
     if eyes:
         at = min(at, *(int(np.argmin(np.abs(np.array(down) - eye))) - _FREE for eye in eyes))
     wide = [len(_ring(spots, host, n)) for n in down]

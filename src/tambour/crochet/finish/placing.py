@@ -11,8 +11,9 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import Part
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot
 from tambour.geometry.motion import dot
 from tambour.geometry.surface import vertex_normals
 
@@ -168,3 +169,11 @@ def mirrored(known: Spots, part: int, spot: Spot, skew: float) -> Spot:
     k = known.round_at(part, int(spot.round))
     assert k is not None
     return replace(spot, stitch=(known.front(k) + skew - off) % n + 1.0)
+
+
+def eyes_on(built: Built, part: str = "") -> list[Spot]:
+    """The places of eyes on a part, or on any: of beads and of safety eyes, and of those that are embroidered every point."""
+    found = [f.spot for f in built.pattern.finish if isinstance(f, Eye)]
+    for f in built.pattern.finish:
+        found += f.spots if isinstance(f, Embroidery) and f.motif.endswith("eyes") else ()
+    return [spot for spot in found if spot.part == part or not part]

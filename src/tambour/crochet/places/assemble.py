@@ -15,7 +15,7 @@ from tambour.crochet.places.bundles import bundles
 from tambour.crochet.places.faces import Facer
 from tambour.crochet.places.halves import halves
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
-from tambour.crochet.places.hosts import LIMBS, Hosts
+from tambour.crochet.places.hosts import LIMBS, SIZES, Hosts
 from tambour.crochet.places.layers import layers
 from tambour.crochet.places.likely import NAMELESS
 from tambour.crochet.places.names import Made, kind_of, one
@@ -36,8 +36,6 @@ _TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
 _BOUGHT: Final = r"\b(?:safety|plastic|toy|doll) eyes?\b"
 _LISTED: Final = rf"{_BOUGHT}|\beyes?:|\bbeads? for (?:the )?eyes"
 """Eyes that the materials list, and words that name some."""
-_SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
-"""Words of parts of which one is for every size of a toy."""
 _OTHER_SIDE: Final = re.compile(r"\b(?:opposite|other) side\b")
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
@@ -293,7 +291,7 @@ class Assembly(Hosts):
             if len(mine) == 1 and len(mine[0].copies) == 1 and mine[0].where.stitch is None and not part.worn:
                 mine[0].copies[:] = sorted([*mine[0].copies, *free], key=lambda c: c[1])  # "repeat for the left ear"
                 continue
-            sizes = [_SIZES & set(p.words) for p in (part, main)]
+            sizes = [SIZES & set(p.words) for p in (part, main)]
             if part.kind == main.kind == "body" and all(sizes) and sizes[0] != sizes[1]:
                 self.made.apart.append(part.name)  # the body of another size of the toy
                 continue

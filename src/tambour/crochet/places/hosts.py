@@ -12,6 +12,8 @@ from tambour.crochet.places.names import SIDED, Made
 from tambour.crochet.places.usual import usual
 
 LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
+SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
+"""Words of parts of which one is for every size of a toy."""
 _PATCHES: Final = frozenset(("belly", "face", "spot"))
 """Kinds of things that stand out from a toy, and of things that only lie on it, and bear none of them."""
 _ON_FACES: Final = frozenset(("eye", "nose", "muzzle", "beak", "cheek"))
@@ -41,6 +43,10 @@ class Hosts(Likely):
     def _another(self, p: Put, puts: list[Put]) -> bool:
         """Whether limbs are of another version of the toy, or a piece of those that are there: a pair is at that place already."""
         made = p.copies[0][0]
+        if made.hair and any(q.copies[0][0] != made and q.copies[0][0].words == made.words for q in puts):
+            return True  # the girl's, where only the boy is made
+        if self._of_other_size(made):
+            return True
         if p.kind not in ("ear", "arm", "leg") or "inner" in made.words or p.where.rounds is not None or made.tipped:
             return False
         for q in puts:
@@ -54,6 +60,13 @@ class Hosts(Likely):
                     p.copies, q.copies = q.copies, p.copies  # a sleeve's end is the piece of an arm
                 return True
         return False
+
+    def _of_other_size(self, made: Made) -> bool:
+        """Whether a limb is of another size of the toy, which has a body and such limbs for each size: "Small Arms" beside "Large Body"."""
+        bodies = {frozenset(SIZES & set(m.words)) for m in self.parts if m.kind == "body" and m.single}
+        mine, main = (frozenset(SIZES & set(m.words)) for m in (made, self.main))
+        alike = {frozenset(SIZES & set(m.words)) for m in self.parts if m.kind == made.kind}
+        return bool(made.kind in LIMBS and mine and main and mine != main and {mine, main} <= bodies & alike)
 
     def _goes_on_head(self, p: Put) -> bool:
         return p.region == "head" or (
@@ -131,7 +144,8 @@ class Hosts(Likely):
         elif kind == "beard" and onto.kind in ("beak", "nose", "muzzle"):  # a wattle hangs below it
             p.where = replace(p.where, beside=(("below", onto.kind, None),), words=frozenset())
             p.host = above
-        elif kind == "beard" and onto.kind == "hat":  # on the face under the hat
+        elif (kind == "beard" and onto.kind == "hat") or (kind == "hat" and p.copies[0][0].hair and onto.kind in LIMBS):
+            # A beard is on the face under the hat, and hair grows on no arm.
             p.host = above
             p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
 

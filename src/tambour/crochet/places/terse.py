@@ -19,6 +19,8 @@ _PLACE: Final = re.compile(
     rf"^(?P<bare>\W*(?P<name>(?:[^\W\d_]+\s+){{1,3}}?))(?P<mark>[(\[]?)(?={_ROUND})", re.IGNORECASE
 )
 """A part and the rounds it is sewn to, and no more than a bracket between: "Ears R4-R8", "Ears (R5): 12 sts apart"."""
+_HUED: Final = re.compile(r"[)\]]\s*[:–—-]\s*(?:with\s+|colou?r\s+|yarn\s+)?[a-z]\W*$")
+"""A part's rounds and the letter of their yarn, which put nothing anywhere."""
 _COVERS: Final = re.compile(
     rf"^\W*(?:(?:the|each|every|both|your|one)\s+)*(?P<name>[^\W\d_]+)\s+(?:should\s+|will\s+|must\s+)?"
     rf"(?:cover|span|reach|stretch|run|take up|sit|lie)s?\s+(?:over\s+|from\s+|across\s+|between\s+|at\s+|on\s+|about\s+)?(?={_ROUND})"
@@ -104,6 +106,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
             return runs.end("name"), " sewn"
     led = _LED.match(low)
     placed = _PLACE.match(low) if led is None and len(low) < _LONG and not _WORKS.search(low) else None
+    if placed is not None and _HUED.search(low):
+        return None  # "Arm (Rounds 5-14): G."
     if placed is not None:
         return _put_there(placed, known)
     if led is None:

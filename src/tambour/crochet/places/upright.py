@@ -44,6 +44,8 @@ _MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
 _EGG: Final = (0.45, 0.55, 0.75)
 """A head that is an egg has so many rounds to a stitch of its widest, which is no earlier than this share of them; at a quarter of
 them it has no more than this share of its stitches."""
+_BELOW: Final = re.compile(r"\b(?:lower|bottom)\s+(?:edge|edging|end|opening)s?\b")
+"""What the last round of a piece is called that is worked downwards, where it is closed."""
 _RING: Final = 8
 """What begins with so many stitches begins at a tip."""
 _SNOUT: Final = (7, 2, 0.5)
@@ -198,6 +200,8 @@ class Upright(Toy):
             return said
         if not arms and legs != 2 and not self.open(f"{main.name}.1") and self._crawls(main) and (early or not faces):
             return "side"
+        if not self.spots.in_rows[part] and self._ends_below(main):
+            return "start"
         if head not in (None, main) and self._begins(main, _SEAT):
             return "end"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
@@ -254,6 +258,12 @@ class Upright(Toy):
     def _from_top(self, main: Made) -> bool:
         """Whether the main part's own first words begin it at the top."""
         return self._begins(main, _TOP)
+
+    def _ends_below(self, main: Made) -> bool:
+        """Whether the last round of the main part says that it closes the lower edge."""
+        part = next(p for p in self.built.pattern.parts if p.name == main.name)
+        last = next((line.span for line in reversed(part.lines) if line.in_round), None)
+        return last is not None and _BELOW.search(self.text[last.start : last.end]) is not None
 
     def _begins(self, main: Made, where: re.Pattern[str]) -> bool:
         """Whether the main part's own first words begin it ``where``."""

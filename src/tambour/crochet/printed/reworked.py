@@ -11,6 +11,8 @@ from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Again, Item, Line, written
+from tambour.crochet.places.names import kind_of
+from tambour.crochet.places.names import one as singular
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes, sets_mark, works
@@ -39,6 +41,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if origin is None and refers.part:
         meant = version([(one.name, one.over) for one in parts[:-1]], draft.name, refers.part)
         origin = None if meant is None else parts[meant]
+    if origin is None and refers.part and parts and not parts[0].name and _trunk(refers.part):
+        origin = parts[0]  # "Rounds 1-5 of head", where no heading stands over the first part
     if refers.marks and (origin is None or origin.between(refers.marks) is None):
         marks = refers.marks
         origin = next((one for one in reversed(parts) if one.between(marks) is not None), origin)
@@ -73,8 +77,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
         source.doubt(message, "make them agree", refers.span, True)
         total = once
     if refers.length is not None:
-        said = source.text.text[refers.span.start : refers.span.end].lower()
-        done = draft.last if refers.whole else _since_join(draft) if "join" in said else 0
+        joined = "join" in source.text.text[refers.span.start : refers.span.end].lower()
+        done = draft.last if refers.whole else _since_join(draft) if joined else 0
         total = max(once, round(refers.length / p.height()) - done)
         message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
         source.doubt(message, "a number of rounds would be sure", refers.span)
@@ -176,6 +180,11 @@ def allotted(draft: Draft, head: Head, refers: list[Refers]) -> list[Head | None
         return [None] * len(refers)
     ends = list(accumulate(many))
     return [replace(head, numbers=head.numbers[b - n : b]) for n, b in zip(many, ends, strict=True)]
+
+
+def _trunk(words: str) -> bool:
+    """Whether words name a head or a body, what a toy's text may begin with under no heading of its own."""
+    return bool({kind_of(singular(w)) for w in words.lower().split()} & {"head", "body"})
 
 
 def _since_join(draft: Draft) -> int:
