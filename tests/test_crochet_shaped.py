@@ -228,3 +228,11 @@ def test_a_wig_leaves_embroidered_eyes_free_too() -> None:
         nodes = rim_on(joining.built, joining.spots, placed, end)
         number = next(r.number for r in built.rounds if len(nodes) and r.first <= nodes[0] <= r.last)
         assert number is not None and (number <= most if said else number >= 8)
+
+
+def test_a_version_with_ears_of_its_own_has_no_tail_of_another() -> None:
+    parts = "".join(EARS.replace("EARS", f"{who} EARS") for who in ("RABBIT", "MOUSE", "CAT"))
+    parts += "".join(TAIL.format(6).replace("TAIL", f"{who} TAIL") for who in ("MOUSE", "CAT"))
+    pattern = read_printed(text(BODY + parts, "Sew the ears to the body. Embroider the eyes."))
+    on = {f.part.split(".")[0] for f in pattern.finish if isinstance(f, Placed)}
+    assert on == {"RABBIT EARS"}

@@ -211,7 +211,9 @@ def versions(parts: list[Made]) -> list[Made]:
             sorts.setdefault(part.kind, {}).setdefault(own[0], []).append(part)
     rival = [set(by) for kind, by in sorts.items() if len(by) > 1]
     shared = {w for w in set().union(*rival) if sum(w in one for one in rival) > 1} if rival else set()
-    first = next((w for part in parts for w in part.words if w in shared), None)
+    # A version may have no more of its own than ears: "Rabbit Ears" before those, and the tails, of a mouse and a cat.
+    named = set().union(shared, *(by for by in rival if len(by & shared) > 1))
+    first = next((w for part in parts for w in part.words if w in named), None)
     return [p for p in parts if p.kind in sorts and (mine := shared & set(p.words)) and first not in mine]
 
 

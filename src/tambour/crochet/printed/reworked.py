@@ -188,11 +188,11 @@ def _trunk(words: str) -> bool:
 
 
 def _since_join(draft: Draft) -> int:
-    """How many rounds have been worked since two pieces were joined to one, that one too."""
+    """How many rounds have been worked since two pieces were joined to one, that one too; all where none were: it begins at a join."""
     joins = [
         k for k, one in enumerate(draft.lines) if any(isinstance(i, Action) and i.name == "attach" for i in one.items)
     ]
-    return sum(one.times for one in draft.lines[joins[-1] :] if one.in_round) if joins else 0
+    return sum(one.times for one in draft.lines[joins[-1] :] if one.in_round) if joins else draft.last
 
 
 def _other_yarns(p: State, refers: Refers) -> Dye | None:
