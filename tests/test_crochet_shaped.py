@@ -236,3 +236,17 @@ def test_a_version_with_ears_of_its_own_has_no_tail_of_another() -> None:
     pattern = read_printed(text(BODY + parts, "Sew the ears to the body. Embroider the eyes."))
     on = {f.part.split(".")[0] for f in pattern.finish if isinstance(f, Placed)}
     assert on == {"RABBIT EARS"}
+
+
+def test_a_piece_that_goes_on_as_the_body_is_the_body() -> None:
+    lower = (
+        BODY.replace("BODY", "BREECHES")
+        .replace("Rnd 13:", "Body:\nNext rnd:")
+        .replace("Rnd 14:", "Next rnd:")
+        .replace("Rnd 15:", "Next rnd:")
+    )
+    pattern = read_printed(
+        text(lower + BALL + EARS.replace("EARS", "ARMS"), "Sew the arms to the body. Sew the head to the body.")
+    )
+    on = {f.part.split(".")[0]: f.spot.part for f in pattern.finish if isinstance(f, Placed)}
+    assert on["ARMS"] == "BREECHES" and "BREECHES" in {*on, on.get("HEAD")}

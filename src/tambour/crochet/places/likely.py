@@ -55,6 +55,10 @@ class Likely(Upright):
         whole = any(
             "body" in within for within in self.sections.values()
         )  # a doll of which the head goes on into the body
+        goes_on = [p for p in bare if not p.kind and "body" in self.sections.get(p.name, {})]
+        if body is None and goes_on and self.of_kind("head") not in (None, goes_on[0]):
+            self._likely(goes_on[0], "body")  # breeches that go on as the body
+            return
         if body is None and not whole and self.of_kind("head") is not None and (clad := self._clad()) is not None:
             self._likely(clad, "body")
             return

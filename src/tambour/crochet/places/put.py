@@ -143,6 +143,8 @@ class Putter(Pairer):
         within = work.sections.get(onto[0].name, {})
         two = {"head", "body"} <= set(work.main.kinds) or put.region == "head" or bool(within)
         region = (put.region if two else "") or (ways[0].on if onto[0] == work.main else "")
+        if kind in ("leg", "foot") and "leg" in within:
+            region = ""  # under its legs, and not under the body that goes on from them
         if kind == "belly" and region == "head":
             region = "body"  # "sew the facial fur and the chest fur to head and body"
         if kind == "spot" and onto[0].kind in within:
