@@ -139,3 +139,14 @@ def test_a_count_of_hers_that_counts_no_chains_stays_alone() -> None:
 
 def test_lines_of_ours_are_explained() -> None:
     assert "› = not the designer’s words" in printed(f"Mole\n\n{HEAD}{EAR}")
+
+
+def test_parts_that_she_numbers_keep_their_numbers() -> None:
+    rows = "With A, ch 9.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn. (8)\nRow 2: Ch 1, sc in each sc, turn. (8)\nFasten off.\n"
+    words = printed(f"Board\n\nStrip 1 (make 4)\n{rows}\nStrip 2 (make 4)\n{rows}\nSew the strips together.\n")
+    assert "Strip 1 (make 4)\n---" in words and "Strip 2 (make 4)\n---" in words
+
+
+def test_the_sign_from_which_something_is_repeated_stays() -> None:
+    text = f"Mole\n\n{HEAD}\nEDGING\nJoin red to any loop at the brim of the head.\n*Pull up a long loop and twist it.\nMiss a loop.\nRep from * around.\nFasten off.\n"
+    assert "*Pull up a long loop and twist it." in printed(text)

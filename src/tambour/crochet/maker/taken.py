@@ -35,7 +35,7 @@ _NARROW: Final = 9
 """On a round of so few stitches no place is counted."""
 _NEAR: Final = 1.5
 """An end so many rounds from those that she names is where she says."""
-_FAR: Final = 0.35
+_FAR: Final = 0.5
 """Two parts are another way apart than she says where they miss it by this share."""
 _LEVEL: Final = 2
 """An edge over no more rounds than this runs along a round."""
@@ -153,7 +153,7 @@ class Taken:
         apart = self._apart(first)
         gaps = [self._gap(first, seams), 2 * round(levels.min())]  # or counted over the top
         gap = min(gaps, key=lambda n: abs(n - apart))
-        return len(alike) == 2 and apart > 0 and gaps[0] > 0 and abs(gap - apart) > max(2.0, _FAR * apart)
+        return len(alike) == 2 and apart > 0 and gaps[0] > 0 and abs(gap - apart) > max(3.0, _FAR * apart)
 
     def _apart(self, record: Placed) -> int:
         """How many stitches she has between two; 0 where she says nothing of it."""
@@ -214,6 +214,11 @@ class Taken:
                 else own["took round"].format(n=low),
                 self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), plain),
             ]
+            if high < 1:
+                return [
+                    self._middle(first, self._mean_off(alike), self._count(host, 1)),
+                    *self._points(alike),
+                ]  # at its very end
             gap = self._gap(first, seams)
             if len(alike) == 2 and gap and (not self._apart(first) or self._against(alike)):
                 said.append(own["took gap on"].format(n=gap, r=round(first.spot.round)))

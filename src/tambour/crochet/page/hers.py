@@ -95,6 +95,7 @@ _AD: Final = re.compile(
 )
 """A line of a page of the web that is nobody's sentence."""
 _SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
+_FROM_SIGN: Final = re.compile(r"\s*\*(?=\w)")
 _LETTER: Final = re.compile(r"[^\W\d_]{2}")
 _BY: Final = re.compile(
     r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer|design(?=:))[: \t]+"
@@ -454,6 +455,8 @@ def cleaned(words: str, text: str = "") -> str:
     """A sentence without what lists and Markdown put about it, and with its point; of a ``text`` that marks what is worked again
     with two asterisks they stay."""
     marked = spans_marked(text or words)
+    if _FROM_SIGN.match(words) and words.count("*") == 1 and "from *" in text:
+        return f"*{cleaned(words.lstrip()[1:], text)}"  # "*Ch 3. … Rep from * around."
     if words.lstrip().startswith("|"):  # a row of a table
         words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
     words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))

@@ -325,7 +325,10 @@ class Writer:
             called = [
                 w for w in re.sub(r"_\d+$", "", name).split() if w.lower() != "and"
             ]  # the third of three bodies is a Body
+            ordinal = re.search(r"_(\d+)$", name)
             words = r"\s*(?:&|\+|/|-|'|’|and|\s)\s*".join(map(re.escape, called))
+            if ordinal is not None:  # "Strip 1" and "Strip 2", but the third of three bodies is a Body
+                words += rf"(?:\s*#?{ordinal[1]}\b)?"
             hers = re.search(words, self.pattern.text.text[span.start : span.end], re.IGNORECASE)
             name = hers[0] if hers is not None else name
             number = re.fullmatch(r"part_(\d+)", name)
