@@ -93,7 +93,7 @@ def fates(p: Pattern, words: str) -> tuple[list[Span], list[Span], str]:
     """What of a text is told with its place, what its booklet carries, and the words that it carries at the end."""
     told = [q.span for q in (*p.unread, *p.warnings) if q.span is not None and q.span.end > q.span.start]
     mine = hers(p, p.terms)
-    carried = [span for said in mine.inside.values() for _, _, span in said] if mine is not None else []
+    carried = [span for said in mine.inside.values() for _, span in said] if mine is not None else []
     carried += [n for part in p.parts for line in part.lines for n in line.notes]
     carried += [span for key, (_, span) in p.stated.items() if key != "title"]
     carried += [span for f in p.finish if (span := getattr(f, "span", None)) is not None]
