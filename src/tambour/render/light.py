@@ -238,6 +238,11 @@ def _pool(
 ) -> None:
     """Fill ``share`` (G, G, 3): the part of the open light that reaches cells of the floor."""
     whole = np.zeros(3)
+    # Every cell asks at the same places about it.
+    root, across, up = np.zeros(taps), np.zeros(taps), np.zeros(taps)
+    for tap in range(taps):
+        turn = 2.399963229728653 * tap
+        root[tap], across[tap], up[tap] = sqrt((tap + 0.5) / taps), cos(turn), sin(turn)
     for k in range(len(direction)):
         if direction[k, 1] > 0.0:
             for c in range(3):
@@ -259,9 +264,8 @@ def _pool(
                 blur = max(away, 0.0) * width[k]
                 over, hidden = 0.0, 0
                 for tap in range(taps):
-                    far = blur * sqrt((tap + 0.5) / taps)
-                    turn = 2.399963229728653 * tap
-                    u, v = far * cos(turn), far * sin(turn)
+                    far = blur * root[tap]
+                    u, v = far * across[tap], far * up[tap]
                     gap = above(
                         k,
                         px + u * axes[k, 0, 0] + v * axes[k, 1, 0],
@@ -284,9 +288,8 @@ def _pool(
                 blur = over / hidden * width[k]
                 lit = 0.0
                 for tap in range(taps):
-                    far = blur * sqrt((tap + 0.5) / taps)
-                    turn = 2.399963229728653 * tap
-                    u, v = far * cos(turn), far * sin(turn)
+                    far = blur * root[tap]
+                    u, v = far * across[tap], far * up[tap]
                     lit += seen(
                         k,
                         px + u * axes[k, 0, 0] + v * axes[k, 1, 0],
