@@ -26,6 +26,36 @@ Rnd 13: (2 sc, dec) x 6 (18)
 Rnd 14: (sc, dec) x 6 (12)
 {1}
 """
+BROAD = """{0}
+Rnd 1: 8 sc in MR (8)
+Rnd 2: inc x 8 (16)
+Rnd 3: (sc, inc) x 8 (24)
+Rnd 4: (2 sc, inc) x 8 (32)
+Rnd 5: (3 sc, inc) x 8 (40)
+Rnd 6: (4 sc, inc) x 8 (48)
+Rnds 7-14: sc around (48)
+Rnd 15: (4 sc, dec) x 8 (40)
+Rnd 16: (3 sc, dec) x 8 (32)
+Rnd 17: (2 sc, dec) x 8 (24)
+{1}
+"""
+TALL = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnd 5: (3 sc, inc) x 6 (30)
+Rnd 6: (4 sc, inc) x 6 (36)
+Rnds 7-8: sc around (36)
+Rnd 9: (4 sc, dec) x 6 (30)
+Rnd 10: sc around (30)
+Rnd 11: (3 sc, dec) x 6 (24)
+Rnd 12: sc around (24)
+Rnd 13: (2 sc, dec) x 6 (18)
+Rnds 14-17: sc around (18)
+Fasten off. Stuff.
+
+"""
 PEAR = """BODY
 Rnd 1: 6 sc in MR (6)
 Rnd 2: inc x 6 (12)
@@ -226,6 +256,46 @@ def test_a_beard_of_strands_hangs_below_the_nose(cut):
     assert len(beard) == 1 and beard[0].count == 20 and 20.0 < beard[0].length < 60.0
     down = 1.0 if next(p for p in pattern.parts if p.name == "BODY").up == "start" else -1.0
     assert all(down * (s.round - placed(pattern)["NOSE"].spot.round) > 0.0 for s in beard[0].spots)
+
+
+def test_a_beard_begins_along_an_arc_about_the_nose():
+    """It was a square patch of five stitches, whatever its wearer's width."""
+    nose = "NOSE\nRnd 1: 6 sc in MR (6)\nRnds 2-3: sc around (6)\nFasten off.\n\n"
+    wide = {}
+    for wearer in (BALL, BROAD):
+        text = (
+            f"Gnome\n\n{wearer.format('BODY', 'Stuff. Fasten off.')}{nose}BEARD\nCut 30 lengths of white, 12 cm long.\n\nFINISHING\n"
+            "Sew the nose to the body at Rnd 9. Tie the beard under the nose.\n"
+        )
+        pattern = read_printed(Text(text, "gnome.txt"))
+        spots = next(r for r in pattern.finish if isinstance(r, Hair)).spots
+        nose_at = placed(pattern)["NOSE"].spot
+        down = [abs(s.round - nose_at.round) for s in spots]
+        assert len(spots) == 5 and max(down[0], down[-1]) < down[2]  # it rises to both sides
+        wide[wearer] = abs((spots[-1].stitch or 0.0) - (spots[0].stitch or 0.0))
+    assert wide[BROAD] > wide[BALL] + 2.0
+
+
+@pytest.mark.parametrize(
+    ("said", "down"),
+    [
+        (
+            "Embroider the eyes at Rnd 14 in satin stitch. Position the nose 2 rnds below and embroider it in satin stitch.",
+            2.0,
+        ),
+        ("Embroider the eyes at Rnd 14, and embroider the nose 1 round below.", 1.0),
+        ("Embroider the eyes at Rnd 14. Embroider the nose 3 rounds below the eyes.", 3.0),
+    ],
+)
+def test_a_nose_so_many_rounds_below_is_counted_from_the_eyes(said, down):
+    """Nothing was named that it is below, and where a head narrows a stitch of height is more than a round."""
+    pattern = read_printed(Text(f"Cat\n\n{TALL}{said}\n", "cat.txt"))
+    levels = {}
+    for what in ("eyes", "nose"):
+        levels[what] = np.mean(
+            [s.round for r in pattern.finish if isinstance(r, Embroidery) and r.motif == what for s in r.spots]
+        )
+    assert abs(abs(levels["nose"] - levels["eyes"]) - down) < 0.4
 
 
 def test_a_monkeys_ears_are_at_the_height_of_its_eyes():

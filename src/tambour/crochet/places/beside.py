@@ -18,7 +18,7 @@ from tambour.crochet.places.stand import Host, numbers_of
 from tambour.crochet.places.toy import Toy
 from tambour.crochet.places.usual import Way
 
-_BELOW: Final = frozenset(("below", "beneath", "under", "underneath", "down from"))
+BELOW: Final = frozenset(("below", "beneath", "under", "underneath", "down from"))
 ABOVE: Final = frozenset(("above", "over", "up from"))
 SIDE: Final = frozenset(
     ("beside", "next to", "on either side of", "on both sides of", "at sides of", "at the sides of", "at the side of")
@@ -190,10 +190,10 @@ class Beside:
             half_size = half + self.deep.get(_LIKE.get(thing, thing), 1.0)
             sign = math.copysign(1.0, way.at[0]) if abs(way.at[0]) > 0.15 else 0.0
             own = points[np.argmax(points[:, 0] * (sign or 1.0))] if sign else middle
-            if sign and len(points) == 1 and relation in _BELOW | ABOVE:  # two of which one thing is in the middle
+            if sign and len(points) == 1 and relation in BELOW | ABOVE:  # two of which one thing is in the middle
                 up = (steps or half_size + 0.8) * (1.0 if relation in ABOVE else -1.0)
                 return host.ahead(float(host.towards(way.direction)[0]), float(own[1]) + up)
-            if relation in _BELOW:
+            if relation in BELOW:
                 return (
                     host.ahead(own[0], own[1] - (steps or half_size + 0.4))
                     if not sign

@@ -14,6 +14,7 @@ from tambour.crochet.places.hairdo import said_length, strands
 from tambour.crochet.places.said import length
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import usual
+from tambour.crochet.yarn.loops import RATIO
 
 if TYPE_CHECKING:
     from tambour.crochet.places.assemble import Assembly
@@ -32,8 +33,12 @@ _BEARD: Final = re.compile(
 """A beard of strands, under its heading."""
 _TRIMMED: Final = 0.85
 """A beard reaches no farther than so much of the way down to what its wearer stands on."""
-_UNDER_NOSE, _BESIDE_IT = 0.6, (-2.5, 0.0, 2.5)
-"""So many stitches below a nose's lower edge, and beside its middle, the strands of a beard are knotted in."""
+_UNDER_NOSE, _RISE = 0.6, 0.6
+"""So many stitches below a nose's lower edge the strands of a beard are knotted in; beside it they begin higher, by so much of the way to its middle,"""
+_WIDE: Final = 0.5
+"""along an arc as wide as so much of its wearer, or as its strands cover; """
+_NARROW, _ARC = 2.5, (-1.0, -0.5, 0.0, 0.5, 1.0)
+"""and no less than so many stitches to either side."""
 _TIP: Final = re.compile(
     rf"{_MADE}[^.\n]{{0,40}}\b(?:sew|attach|fasten|tie)\w*\b[^.\n]{{0,20}}\b(?:tip|top|point|end) of (?:the )?(?:hat|cap|beanie)\b"
 )
@@ -83,16 +88,16 @@ def _beard(toy: Assembly, put: Beside, words: str, span: Span) -> list[Hair]:
         return []
     host, nose = toy.host((made, 1)), np.mean(known[1], axis=0)
     below = float(nose[1]) - put.deep.get("nose", 1.0) - _UNDER_NOSE
-    spots = [host.near(host.ahead(float(nose[0]) + off, below)) for off in _BESIDE_IT]
+    many = max(strands(words) or _STRANDS, 12)
+    wide = max(_NARROW, min(_WIDE * float(host.box[1][0]), many * RATIO))
+    rise = _RISE * (float(nose[1]) - below)
+    spots = [host.near(host.ahead(float(nose[0]) + t * wide, below + t * t * rise)) for t in _ARC]
     color = next(
         (s.colors[-1][1] for s in toy.sentences if s.colors and span.start <= s.span.start < span.end), Hair(()).color
     )
     room = 2.0 * _TRIMMED * (below - float(host.box[0][1] - host.box[1][1])) * toy.stitch
     hangs = min(said_length(words) or room, room)  # trimmed, so that nobody stands on it
-    many = strands(words) or _STRANDS
-    return [
-        Hair(tuple(Spot(s.part, s.round, s.stitch, span) for s in spots), max(many, 12), round(hangs, 1), color, span)
-    ]
+    return [Hair(tuple(Spot(s.part, s.round, s.stitch, span) for s in spots), many, round(hangs, 1), color, span)]
 
 
 def _bundle(toy: Assembly, host: Host, spot: Spot, words: str, span: Span) -> list[Hair]:

@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.places import face
+from tambour.crochet.places.beside import BELOW
 from tambour.crochet.places.hairdo import before, hairs, mane
 from tambour.crochet.places.hear import Feature, Put
 from tambour.crochet.places.masks import eye_on, is_mask
@@ -363,6 +364,16 @@ class Facer(Putter):
             return Way((float(v[0]) + dx, float(v[1]) + dy, max(float(v[2]), 0.3)))
         return self._told(Way((x, y, z)), f.where, 2)
 
+    def _rounds_below_eyes(self, f: Feature, host: Host) -> Spot | None:
+        """The middle of the round that is said to be so many below the eyes' own; None where none is, and on what does not stand."""
+        eyes = self.known.get("eye")
+        many = next((n for relation, thing, n in f.where.beside if thing == "eye" and relation in BELOW and n), None)
+        stands = abs(float(host.axis[1])) >= _STANDS and not self.work.spots.in_rows[host.part]
+        if many is None or eyes is None or eyes[0] != host.name or not stands:
+            return None
+        level = host.near(eyes[1][0]).round + (many if host.axis[1] < 0.0 else -many)
+        return Spot(host.name, level, host.middle(level)) if host.low <= level <= host.high else None
+
     def _snouted(self, host: Host) -> bool:
         muzzle = self.work.of_kind("muzzle")
         return muzzle is not None and muzzle.name == host.name
@@ -388,6 +399,8 @@ class Facer(Putter):
             self.work.of_kind("muzzle"), "name", None
         ):
             y = {"nose": 0.32, "mouth": -0.32, "smile": -0.3}.get(name.split()[-1], 0.0)
+        if (counted := self._rounds_below_eyes(f, host)) is not None:
+            return np.asarray(self.stand.frame(counted).points[0])
         way = self._told(Way((0.0, y, 1.0)), f.where, 1)
         beside = self._beside(f.where, host, way, 0.4 * wide)
         if beside is not None:

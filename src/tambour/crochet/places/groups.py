@@ -6,6 +6,7 @@ import re
 from typing import Final
 
 from tambour.crochet.places.assembling import AGAIN
+from tambour.crochet.places.habits import ROUND
 from tambour.crochet.places.names import SIDED, Made, Mention, mentions
 from tambour.crochet.places.ranked import ranked
 from tambour.crochet.places.said import VERB
@@ -43,6 +44,19 @@ ALIKE: Final = re.compile(
     r"\b(?:in|by|using) (?:exactly )?(?:the|a) (?:same|similar) (?:way|manner|method)\b|\blikewise\b|\bsimilarly\b"
 )
 BY_IT: Final = re.compile(r"\b(beside|next to|behind|close to|below|above|under) (?:it|this)\b")
+_BARE: Final = re.compile(
+    rf"\b(?:nose|mouth|smile)\s+(?:(?:is|goes|about|approx\.?)\s+)*{QUANTITY}\s+{ROUND}\s+(?:below|under|beneath|down)(?=\s*(?:[.,;]|$|and\b|using\b|with\b))"
+)
+"""A place below nothing that is named: "locate the nose 1 rnd below and embroider it"."""
+_EYES: Final = re.compile(r"\beyes\b")
+
+
+def below_eyes(low: str, put: list[str]) -> str:
+    """A nose so many rounds "below" is that far below the eyes that were spoken of just before it. put : what was drawn so far."""
+    found = _BARE.search(low)
+    if found is None or not (_EYES.search(low[: found.start()]) or _EYES.search(put[-1] if put else "")):
+        return low
+    return f"{low[: found.end()]} the eyes{low[found.end() :]}"
 
 
 def grouped(low: str, parts: list[Made]) -> str:

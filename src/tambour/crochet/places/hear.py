@@ -24,7 +24,7 @@ from tambour.crochet.places.assembling import (
     TO,
     UNDER_HEAD,
 )
-from tambour.crochet.places.groups import ALIKE, BEFORE, BY_IT, HANDLED, again, apart, grouped
+from tambour.crochet.places.groups import ALIKE, BEFORE, BY_IT, HANDLED, again, apart, below_eyes, grouped
 from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
 from tambour.crochet.places.names import Made, Mention, kind_of, mentions, one
@@ -198,7 +198,7 @@ class Heard:
             return
         heard, begin = False, 0
         own = [(at, rgb) for at, rgb in sentence.colors if not _OF_PLACE.search(low[:at]) or _YARNED.match(low, at)]
-        low = grouped(unlisted(self._once_more(low)), self.parts)
+        low = grouped(unlisted(self._once_more(below_eyes(low, [f.what for f in self.features]))), self.parts)
         for a, b in clauses(low):
             shades = [rgb for at, rgb in own if a <= at < b] or [rgb for _, rgb in own[:1]]
             # What says nothing alone belongs to what follows: "locate the nose 1 rnd below and embroider it".
