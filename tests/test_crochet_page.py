@@ -320,6 +320,22 @@ def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_her
     assert "Rnd 3: [sc, inc] x 6 [as written it makes 18] (17)" in lines
 
 
+def test_a_count_without_its_slip_stitches_is_no_doubt() -> None:
+    """Shaped rows end their own way: 14 single crochets and a slip stitch are "14 sc", in the check and in print."""
+    from tambour.crochet.page.instructions import plain
+
+    said = (
+        "Bib\n\nABBREVIATIONS\nsc = single crochet\n\nINSTRUCTIONS\nCh 21.\n"
+        "Row 1: Sc in 2nd ch from hook and in each ch across, turn—20 sc.\n"
+        "Row 2: Ch 1, skip first sc, slip st in next sc, sc2tog, sc in each sc across to last 4 sc, sc2tog, turn; "
+        "leave last 2 sts unworked—14 sc.\nFasten off.\n"
+    )
+    piece = make(Text(said, "bib.txt"), CrochetParams(detail="low"), Progress())
+    assert not [p for p in piece.built.warnings if p.message.startswith("the pattern says")]
+    row = next(line for line in plain(piece).text.splitlines() if line.startswith("Row 2"))
+    assert row.endswith("unworked (14)")
+
+
 def test_a_step_is_seen_from_where_its_part_is_not_hidden() -> None:
     """A ball's tail is behind it, a snout before it; the camera goes where the part is, and stays for what it sees already."""
     from tambour.crochet.page.angle import VIEW, angle, called

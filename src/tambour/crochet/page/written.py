@@ -29,6 +29,7 @@ class Written:
     number : of its round; 0 for a line outside rounds, and for a chain that a part begins with; times : rounds like it
     makes : it is a round, or begins one; count : stitches on its edge afterwards, 0 for none
     notes : sentences that stand with it; said : the count that the text states where that is another, 0 where it is not
+    wrong : that count is told to be wrong: people also leave chains or slip stitches out of theirs, and are right
     hers : her line, where it was not understood as she says it; line : the line that says it
     """
 
@@ -39,6 +40,7 @@ class Written:
     count: int
     notes: tuple[str, ...] = ()
     said: int = 0
+    wrong: bool = False
     hers: bool = False
     line: Line | None = None
 
@@ -52,13 +54,20 @@ def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int,
     section: Section | None = None
     part = first = -1
     told = doubted(built.pattern) if inside else frozenset[Span]()
+    alarms = frozenset(
+        p.span for p in built.warnings if p.span is not None and p.message.startswith("the pattern says")
+    )
     numbered: dict[str, dict[int, Written]] = {}  # under which numbers a part's rounds can be read
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":
             if section is not None:
                 through = _through(built, section) if inside else {}
                 apart = inside and bool(built.pattern.terms)  # her lines stay lines of their own
-                yield section, first, _lines(section, keep, numbered, through, built.pattern.stitches, told, apart)
+                yield (
+                    section,
+                    first,
+                    _lines(section, keep, numbered, through, built.pattern.stitches, told, alarms, apart),
+                )
             index, copy = done.numbers
             part += 1
             section, keep, first = (built.pattern.parts[index] if copy == 1 and index >= 0 else None), [], part
@@ -111,6 +120,7 @@ def _lines(
     through: Mapping[int, _Runs],
     stitches: Mapping[str, Stitch],
     told: frozenset[Span],
+    alarms: frozenset[Span],
     apart: bool = False,
 ) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
@@ -163,6 +173,7 @@ def _lines(
                 count,
                 tuple(notes) if final else (),
                 said,
+                source.stated_span in alarms,
                 source.span in told,
                 source,
             )
