@@ -132,7 +132,9 @@ _SINGLE: Final[dict[str, Way]] = {
     "": Way((0.0, 0.0, 1.0), None),
 }
 _CHEST: Final = 0.3
-"""How high a bow, a heart, a button is on a body that bears a head, and a patch of fur that is its chest."""
+"""How high a bow, a heart, a button is on a body that bears a head."""
+_FUR: Final = 0.55
+"""And a patch of fur that is its chest: right under the neck."""
 # On a body that lies with its front ahead, these differ.
 _LYING: Final[dict[str, Way]] = {
     "head": Way((0.0, 0.55, 0.9), (0.0, 0.75, 0.65), flat=False),
@@ -176,7 +178,7 @@ def usual(
         if kind == "leaf" and copies == 1 and words & {"petal"}:
             way = _SINGLE["stem"]
         if kind == "belly" and "chest" in words and not lying:
-            way = replace(way, at=(0.0, _CHEST, 1.0))
+            way = replace(way, at=(0.0, _FUR, 1.0))
         return [way]
     if copies == 2 and kind == "bumper":
         return [_SINGLE["bumper"], Way((0.0, -0.45, -1.0), None)]
