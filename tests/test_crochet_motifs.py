@@ -144,6 +144,14 @@ def test_chains_that_count_as_a_stitch_and_a_space() -> None:
     assert spaces(built, 3) == [3] * 16
 
 
+def test_two_chains_that_count_as_a_single_crochet_and_a_space() -> None:
+    built = worked(
+        "Ch 12.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn. (11)\n"
+        "Row 2: Ch 2 (counts as first sc and ch-1 space here and throughout), skip next sc, sc in next sc, [ch 1, skip next sc, sc in next sc] 4 times.\n"
+    )
+    assert kinds(built, 2) == "ch1sc ch sc" + " ch sc" * 4
+
+
 @pytest.mark.parametrize("sides, said", [(6, "5 times"), (5, "4 times")])
 def test_the_ring_of_a_hexagon(sides: int, said: str) -> None:
     built = worked(

@@ -14,6 +14,8 @@ from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
 CHAINS_OF: Final = {int(name[2]): name for name in STANDING if name[2] != "1"}
+_COUNTED: Final = {int(name[2]): name for name in STANDING}
+"""So many chains → what they count as, where a text says so: also one, for a single crochet."""
 
 _CLAUSE: Final = 14  # tokens
 
@@ -66,10 +68,12 @@ def stands(item: Item) -> bool:
 
 def spaced(r: Reader, found: list[Item], number: Token | None, token: Token) -> bool:
     """Takes so many chains for a stitch and a space, where the text says it of all of them."""
-    space = r.spaced.get(number.value, 0) if number is not None and isinstance(number.value, int) else 0
-    if not space or r.c.mark("(", "["):
+    many = number.value if number is not None and isinstance(number.value, int) else 0
+    space = r.spaced.get(many, 0)
+    name = _COUNTED.get(many - space)
+    if not space or name is None or r.c.mark("(", "["):
         return False
-    found += [Action(CHAINS_OF[number.value - space], token.span), Action("ch", token.span, space)]  # type: ignore[union-attr]
+    found += [Action(name, token.span), Action("ch", token.span, space)]
     return True
 
 
