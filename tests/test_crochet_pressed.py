@@ -61,17 +61,26 @@ def test_two_that_lie_side_by_side_are_flat_between_them_and_keep_their_yarn() -
 
 
 def test_one_that_crosses_another_leaves_it_room() -> None:
-    _, after = tubes(strands(line(0.0), line(1.3, across=True)))
-    assert section(after, 0)[:, 0].max() < 0.66
-    # What comes nearer does not cut it flat: soft yarn keeps its round, and the two lie in each other where nobody looks.
-    _, after = tubes(strands(line(0.0), line(0.5, across=True)))
-    ring = section(after, 0)
-    assert np.hypot(*ring.T).min() >= LEAST - 1e-9 > 0.5
-    turned = np.diff(np.unwrap(np.arctan2(*np.diff(np.vstack([ring, ring[:1]]), axis=0).T[::-1])))
-    assert np.abs(turned).max() < 0.75
+    _, after = tubes(strands(line(0.0), line(0.9, across=True)))
+    assert section(after, 0)[:, 0].max() < 0.45
     # Away from there it is as it was.
     end = after[1 + SIDES * 3 : 1 + SIDES * 4]
     assert np.hypot(end[:, 1], end[:, 2]) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("far", "most"), [(0.9, 0.05), (1.1, 0.05), (1.3, 0.05), (1.6, 0.1)])
+def test_a_dent_has_no_edge(far: float, most: float) -> None:
+    """Every ring was pressed for itself: where a strand came under another its outline broke off at the rim of the dent, as if cut.
+
+    And nothing comes out of a dent for that: no ring stands further out than half way to the other strand.
+    """
+    _, after = tubes(strands(line(0.0), line(far, across=True)))
+    rings = after[1 + SIDES : 1 + SIDES * 50].reshape(49, SIDES, 3)
+    out = np.hypot(rings[..., 1], rings[..., 2])
+    rim = -np.diff(out, 2, axis=0)  # how sharply each corner's line turns in, from ring to ring
+    assert rim.max() < most
+    assert out[24].min() < 0.1 + far / 2  # it is a dent still
+    assert section(after, 0)[:, 0].max() <= far / 2 + 1e-9
 
 
 def test_what_has_its_room_stays_as_it_was_and_something_is_left_of_all() -> None:
@@ -104,8 +113,7 @@ def test_in_a_toy_no_yarn_goes_through_yarn(monkeypatch: pytest.MonkeyPatch) -> 
     many = pressed(made, swept, 10, 1.6)
     before, after = sunk(made, swept, 10), sunk(made, many, 10)
     assert (before > 0.3).mean() > 0.15  # drawn as round tubes they go deep into each other
-    # Round yarn dips a little into its neighbour, where nobody looks; cut flat by it, a loop is a petal.
-    assert (after > 0.3).mean() < 0.01 < 0.15 < (before > 0.3).mean()
+    assert (after > 0.1).mean() < 0.01
     monkeypatch.setattr(threads, "WORKERS", 1)
     np.testing.assert_array_equal(many, pressed(made, swept, 10, 1.6))
 

@@ -16,7 +16,7 @@ from tambour.crochet.yarn.near import pairs
 
 SHOULDER: Final = 3
 """How round yarn is between where it is free and where it is pressed: the higher this power, the sharper its shoulder."""
-LEAST: Final = 0.56
+LEAST: Final = 0.34
 """What of its radius is left of yarn at the least, to any side."""
 FULLER: Final = 1.2
 """So many times as thick grows at the most, to its free sides, what is pressed from others: yarn is not lost."""
@@ -123,7 +123,10 @@ def _press(
 
 @kernel
 def _moved(coords: F8x2, ring: I8x1, sides: int, begin: int, end: int, left: F8x2, vertices: F8x2) -> None:
-    """Move the vertices of the rings of points ``begin`` to ``end`` in by ``left``, shared with their neighbours: what is soft has no dent with an edge."""
+    """Move the vertices of the rings of points ``begin`` to ``end`` in by ``left``, shared with their neighbours, none further out than it is left.
+
+    What is soft has no dent with an edge; and what gives way beside a dent goes in, so that nothing comes out into another strand.
+    """
     for i in range(begin, end):
         if ring[i] < 0:
             continue
@@ -136,6 +139,7 @@ def _moved(coords: F8x2, ring: I8x1, sides: int, begin: int, end: int, left: F8x
                 + 0.125 * (left[before, a] + left[before, b] + left[after, a] + left[after, b])
                 + 0.5 * left[i, k]
             ) / 2.0
+            share_of = min(share_of, left[i, k])
             for c in range(3):
                 vertices[ring[i] + k, c] = coords[i, c] + share_of * (vertices[ring[i] + k, c] - coords[i, c])
 
