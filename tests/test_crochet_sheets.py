@@ -70,6 +70,39 @@ def test_a_basket_keeps_a_flat_base_and_a_straight_wall() -> None:
     assert abs(axes[2] @ axis) > 0.995, "it stands upright"
 
 
+@pytest.mark.parametrize("grows", [3, 5, 6])
+@pytest.mark.parametrize("loop", ["BLO", "FLO"])
+@pytest.mark.parametrize("every", [False, True])
+@pytest.mark.parametrize("ends", ["", ", join, ch"])
+def test_a_basket_is_as_wide_above_as_below(grows: int, loop: str, every: bool, ends: str) -> None:
+    """However many of its wall's rounds are in that loop: where all were, each leaned on the one below, and a wall of seven came in
+    by a tenth; and however its rounds end: where they were joined, no base lay flat."""
+    rounds = ["MR(6)", "6 inc", *(f"[{n} sc, inc] x 6" for n in range(1, grows - 1))]
+    wall = [f"{loop}, {6 * grows} sc", *[f"{loop + ', ' if every else ''}{6 * grows} sc"] * 6]
+    text = "\n".join(["@stuffing = none", *(f": {one}{ends}" for one in (*rounds, *wall))])
+    made = make(Text(text), CrochetParams(), Progress())
+    assert made.shape.settled
+    x = made.positions / made.stitch[0]
+    rings = [x[r.first : r.last + 1] for r in made.built.rounds if r.last > r.first]
+    base, walls = x[: made.built.rounds[grows - 1].last + 1], rings[grows:]
+    off = base - base.mean(0)
+    _, _, axes = np.linalg.svd(off, full_matrices=False)
+    assert np.ptp(off @ axes[2]) < 1 / 3
+    axis = walls[-1].mean(0) - walls[0].mean(0)
+    axis /= np.linalg.norm(axis)
+    wide = [float(np.linalg.norm(np.cross(r - r.mean(0), axis), axis=1).mean()) for r in walls]
+    assert max(wide) < 1.03 * min(wide)
+
+
+@pytest.mark.parametrize("ends", [", join, ch", ", join"])
+def test_a_disc_of_joined_rounds_lies_flat(ends: str) -> None:
+    rounds = ["MR(6)", "6 inc", *(f"[{n} sc, inc] x 6" for n in range(1, 5))]
+    text = "@stuffing = none\n" + ", join, ch\n".join(f": {one}" for one in rounds) + ends
+    made = make(Text(text), CrochetParams(), Progress())
+    assert made.shape.settled
+    assert heights(made, 5)[2] < 0.1
+
+
 def test_a_bowl_stays_a_bowl() -> None:
     """Where the wall is worked in both loops nothing says that its maker wanted an edge."""
     assert heights(piece(5, " "), 4)[2] > 5.0

@@ -219,6 +219,8 @@ def build(
     area = np.array([p.end - p.start for p in graph.parts], np.float64)
     loops = np.flatnonzero(np.isin(graph.peculiarity, (FLO, BLO)) & (graph.plane >= 0).all(1))
     loops = loops[np.argsort(np.maximum(loops, graph.plane[loops].max(1, initial=0)), kind="stable")]
+    if folds:
+        loops = loops[_turning(graph, loops)]
     sign = np.where(graph.peculiarity[loops] == BLO, 1.0, -1.0)
     offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
     radius, section_offsets, members, beside = bones(graph, sections(graph), rise(graph, graph.rest / width))
@@ -275,6 +277,14 @@ def build(
     )
     hollow = stuffing == "pressure" and any(p.hollow[0] < p.hollow[1] for p in graph.parts)
     return replace(made, most=_loose(made, graph, width)) if hollow else made
+
+
+def _turning(graph: StitchGraph, loops: Array) -> Array:
+    """Which of the stitches (L,) in one loop turn the fabric: not those that stand on stitches in the loop of the same side. Ridge
+    upon ridge they all lean alike, and a wall worked so is as straight as one in both loops."""
+    side = np.where(graph.peculiarity == BLO, 1, -1) * graph.direction * np.isin(graph.peculiarity, (FLO, BLO))
+    below = graph.parent[loops]
+    return np.asarray((below < 0) | (side[np.maximum(below, 0)] != side[loops]))
 
 
 def _loose(body: Body, graph: StitchGraph, width: float) -> Array:

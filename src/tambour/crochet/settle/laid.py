@@ -22,8 +22,12 @@ TUBE: Final = 0.8
 """A tube has such a share of its stitches over single ones, or more."""
 EDGE: Final = 0.1
 """How stiff fabric is at a sheet's edge, as a share of what it is elsewhere: there it was worked to turn."""
-STIFF: Final = 2.0
-"""How strongly a sheet keeps its plane, against 1 for stretching."""
+STIFF: Final = 5.0
+"""How strongly a sheet keeps its plane, against 1 for stretching: where a spiral turns up into a wall it steps, by a row, and at 2 the rim gave way by half of one."""
+MOST: Final = 2.5
+"""The largest weight of a hinge."""
+WITHIN: Final = 0.2
+"""How far within their round chains lie that lift it, in stitches."""
 ROUGHLY: Final = 3.0
 """How many times farther from rest than others a sheet may be that only tells its lengths."""
 
@@ -73,7 +77,7 @@ def laid(graph: StitchGraph, body: Callable[[StitchGraph], Body]) -> tuple[Stitc
             state = State(_spiral(piece), np.zeros((0, 3)), np.zeros(1))
             for _ in settle(sheet, state, ROUGHLY * tolerance(len(sheet))):
                 pass
-            known[key] = state.x
+            known[key] = _lifted(piece, state.x)
         x = known[key]
         rest[mine] = lengths(x, piece.edges) * graph.stitch_width
         through = piece.edges[(piece.edge_kind == THROUGH) & (piece.edges[:, 1] > 0)]
@@ -97,6 +101,20 @@ def laid(graph: StitchGraph, body: Callable[[StitchGraph], Body]) -> tuple[Stitc
     )
 
 
+def _lifted(graph: StitchGraph, x: Array) -> Array:
+    """Places (N, 3) in a plane with the chains that lift rounds a little within the line from a round's last stitch to its first: as
+    long as that together they lay on either side of it, and triangles upon triangles."""
+    x = x.copy()
+    for c in np.flatnonzero((np.diff(graph.anchor_offsets) == 0) & (graph.peculiarity != ROOT)).tolist():
+        others = [int(e.sum()) - c for e in graph.edges[(graph.edges == c).any(1)]]
+        beside = [k for k in others if graph.round[k] == graph.round[c]]
+        if len(beside) == 2 and graph.previous[c] >= 0:
+            middle = x[beside].mean(0)
+            inwards = x[graph.previous[c]] - middle
+            x[c] = middle + WITHIN * inwards / max(float(np.linalg.norm(inwards)), 0.1)
+    return x
+
+
 def _hinges(faces: Array) -> Array:
     """The corners (H, 4) of every two triangles with an edge in common: first the edge's, then those off it."""
     sides = np.concatenate([faces[:, [0, 1, 2]], faces[:, [1, 2, 0]], faces[:, [2, 0, 1]]])
@@ -108,7 +126,7 @@ def _hinges(faces: Array) -> Array:
 
 
 def _weights(at: Array) -> Array:
-    """Weights (H, 4), the last -1, by which four places (H, 4, 2) in a plane sum to nothing, however the plane is turned or drawn out."""
+    """Weights (H, 4), the last -1 (about slivers less than that), by which four places (H, 4, 2) in a plane sum to nothing, however the plane is turned or drawn out."""
     a, b, c, d = np.moveaxis(at, 1, 0)
 
     def area(p: Array, q: Array, r: Array) -> Array:
@@ -118,7 +136,9 @@ def _weights(at: Array) -> Array:
     whole = area(a, b, c)
     whole = np.where(abs(whole) > 0.05, whole, np.inf)  # next to no triangle: no hinge
     made = np.column_stack([area(d, b, c) / whole, area(a, d, c) / whole, area(a, b, d) / whole, -np.ones(len(at))])
-    return np.where(np.isfinite(whole)[:, None], made, 0.0)
+    made = np.where(np.isfinite(whole)[:, None], made, 0.0)
+    # About a sliver of a triangle, as beside the chain that lifts a round, they would be many times as stiff as elsewhere.
+    return np.asarray(made / np.maximum(1.0, abs(made).max(1) / MOST)[:, None])
 
 
 def _cells(graph: StitchGraph) -> tuple[Array, Array]:
@@ -182,21 +202,31 @@ def braced(body: Body, nodes: Array, sheets: Sheets) -> Body:
 
 
 def _flat(graph: StitchGraph, start: int, end: int) -> int:
-    """The last stitch of the rounds from the ring ``start`` on that lie flat, one spiral of single stitches; or the ring itself."""
+    """The last stitch of the rounds from the ring ``start`` on that lie flat, single stitches in a spiral or in joined rounds, which chains lift; or the ring itself."""
     own = np.arange(start + 1, end)
+    over = np.diff(graph.anchor_offsets)[own]
+    begins = np.concatenate([[True], graph.round[own[1:]] != graph.round[own[:-1]]])
+    lifts = (over == 0) & begins
+    for _ in range(3):  # a chain lifts single crochets, three a double
+        lifts[1:] |= (over[1:] == 0) & lifts[:-1]
     plain = (
         (graph.part[own] == graph.part[start])
         & ~np.isin(graph.peculiarity[own], (ROOT, TIP))
-        & (np.diff(graph.anchor_offsets)[own] == 1)
+        & ((over == 1) | lifts)
         & (graph.direction[own] == graph.direction[start + 1])
         & (graph.round[own] >= 0)
     )
-    plain[1:] &= graph.previous[own[1:]] == own[:-1]
+    plain[1:] &= (graph.previous[own[1:]] == own[:-1]) | (lifts & begins)[1:]
     if not plain.all():
         own = own[: int(np.argmin(plain))]
     if not len(own):
         return start
     _, begin, size = np.unique(graph.round[own], return_index=True, return_counts=True)
+    stop = begin + size
+    chains = np.add.reduceat(lifts[: len(own)].astype(np.int64), begin)
+    begin, size = begin + chains, size - chains
+    if size[-1] == 0 and len(size) > 1:  # chains after the last join, for a round that does not come
+        begin, size, end = begin[:-1], size[:-1], int(own[0] + stop[-2])
     edge = np.isin(graph.peculiarity[own], (BLO, FLO))
     through = graph.edge_kind == THROUGH
     high = np.zeros(len(graph))
@@ -213,9 +243,9 @@ def _flat(graph: StitchGraph, start: int, end: int) -> int:
         last = k
     # A wall without an edge is a bowl's, and what is not closed to its end no sheet by itself.
     turns = last + 1 < len(size) and edge[begin[last + 1]]
-    if last < 2 or not (turns or own[begin[last]] + size[last] == end):
+    if last < 2 or not (turns or own[0] + stop[last] == end):
         return start
-    return int(own[begin[last]] + size[last] - 1)
+    return int(own[0] + stop[last] - 1)
 
 
 def _spiral(graph: StitchGraph) -> Array:
