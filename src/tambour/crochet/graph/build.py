@@ -12,10 +12,10 @@ from tambour.core.errors import Problem, Span, TambourError
 from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.attach import attach
-from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
+from tambour.crochet.graph.built import NOTHING, SAYS, TOO_MANY, Built, Done, PartFacts, Worked
 from tambour.crochet.graph.edges import edge
 from tambour.crochet.graph.ends import fasten_off, join_round, turn
-from tambour.crochet.graph.fits import ENDLESS, around, come, ends_around, mixed, slipped, spaces, spread
+from tambour.crochet.graph.fits import ENDLESS, IDLE, around, come, ends_around, idle, mixed, slipped, spaces, spread
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
 from tambour.crochet.graph.spaces import into_space, pass_rest, to_space
@@ -263,7 +263,7 @@ class _Worker:
         shown = made if rest or self.hook.now.left == self.hook.now.count else edge
         self.problems.append(
             Problem(
-                f"the pattern says {line.stated} stitches, the round makes {shown}{rest}",
+                f"{SAYS} {line.stated} stitches, the round makes {shown}{rest}",
                 "correct the number, or the stitches before it",
                 line.stated_span,
                 self.pattern.text,
@@ -303,6 +303,8 @@ class _Worker:
             times = item.times
         if item.times is not None:
             self.numbers.append((times, item.span))
+            if times > IDLE and idle(item):
+                raise self.hook.fail(NOTHING, "say what is worked in it", item.span)
         for _ in range(times):
             self._step(1)
             for inner in item.items:
@@ -324,10 +326,8 @@ class _Worker:
             return
         numbers = [*self.numbers, own] if own else self.numbers
         worst = max(numbers, key=lambda n: n[0], default=None)
-        what = f"more than {most} stitches" if len(self.hook) + nodes > most else "too many repetitions of nothing"
-        raise self.hook.fail(
-            f"the pattern makes {what}", "{--max-stitches} sets the limit", worst[1] if worst else self.hook.span
-        )
+        what = f"{TOO_MANY} more than {most} stitches" if len(self.hook) + nodes > most else NOTHING
+        raise self.hook.fail(what, "{--max-stitches} sets the limit", worst[1] if worst else self.hook.span)
 
     def _action(self, action: Action) -> None:
         hook = self.hook

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
@@ -11,6 +12,12 @@ from tambour.core.graph import StitchGraph
 from tambour.crochet.graph.hook import Hook
 from tambour.crochet.graph.moment import Round
 from tambour.crochet.language.tree import Line, Pattern
+
+SAYS: Final = "the pattern says"
+"""How the doubt of a stated count begins that the round does not make."""
+TOO_MANY: Final = "the pattern makes"
+"""How it is told that a pattern grows too large, or that something goes on for ever."""
+NOTHING: Final = f"{TOO_MANY} too many repetitions of nothing"
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
-from tambour.crochet.graph.built import Built, Worked
+from tambour.crochet.graph.built import SAYS, Built, Worked
 from tambour.crochet.language.finishes import ASIDE, GUESSED, MEANT, UNSEEN, Eye, Placed
 from tambour.crochet.language.tree import Group, Item
 from tambour.crochet.words.table import TERMS, WHOLE
@@ -48,7 +48,7 @@ def tech_edit(built: Built) -> list[Problem]:
 
 
 _COUNTS = re.compile(
-    r"the pattern says \d+ stitches|this round (?:leaves|needs) \d+|round \d+ leaves rounds out|\d+ would follow"
+    rf"{SAYS} \d+ stitches|this round (?:leaves|needs) \d+|round \d+ leaves rounds out|\d+ would follow"
 )
 
 
@@ -113,7 +113,7 @@ def _rounds(built: Built) -> Iterator[Problem]:
 
 def _uneven(w: Worked, off: bool) -> str:
     if off:
-        return f"the pattern says {w.line.stated} stitches, the round makes {w.made} and leaves {w.left} of those below unworked"
+        return f"{SAYS} {w.line.stated} stitches, the round makes {w.made} and leaves {w.left} of those below unworked"
     if w.left > 0:
         return f"this round leaves {w.left} of the {w.below} stitches below it unworked"
     return f"this round needs {w.below - w.left} stitches below it, there are {w.below}"

@@ -11,6 +11,16 @@ from tambour.crochet.language.stitches import MOST, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 
 ENDLESS: Final = "around never ends: these stitches use up none of the round"
+IDLE: Final = 1000
+"""So often nothing is done again by mistake only."""
+_NOTHING: Final = frozenset(("turn", "flo", "blo", "bl", "color", "mark", "goto"))
+
+
+def idle(item: Item) -> bool:
+    """Whether what is repeated works no stitch: "*turn, turn; repeat from * 9999 times"."""
+    if isinstance(item, Group):
+        return all(map(idle, item.items))
+    return item.name in _NOTHING or (item.name in STITCHES and not item.times)
 
 
 def around(hook: Hook, group: Group, stitches: Mapping[str, Stitch]) -> tuple[int, tuple[str, str] | None]:

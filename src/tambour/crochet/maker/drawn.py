@@ -26,7 +26,10 @@ _STITCH: Final = re.compile(
     re.IGNORECASE,
 )
 """How she names the stitch of a line."""
-_BOUGHT: Final = re.compile(r"\b(?:safety|plastic)\b", re.IGNORECASE)
+_BOUGHT: Final = re.compile(
+    r"\b(?:safety|plastic)(?: \w+)? nose|\bnose (?:of|in|from) (?:\w+ )?plastic\b", re.IGNORECASE
+)
+"""How she says that a nose is bought; safety eyes in the same sentence buy no mouth."""
 _FACES: Final = (
     "smile",
     "mouth",
@@ -71,7 +74,7 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
         begins = [abs(taken.off(r.spots[0])[0]) for r in alike]
         from_ = taken.from_middle(first.spots[0].part, [float(np.mean(begins))], taken.off(first.spots[0])[1])
         return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
-    if _BOUGHT.search(taken.words(first)):
+    if "nose" in first.motif and _BOUGHT.search(taken.words(first)):
         return [over]  # a nose of plastic is as large as it was bought
     if first.motif not in _FACES:
         return [over]

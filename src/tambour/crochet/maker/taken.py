@@ -461,4 +461,4 @@ class Taken:
         if len(exact) == 1 and abs(exact[0] % 1.0 - 0.5) < 0.1:
             n = f"{int(exact[0])}½"
         key = ("off under" if far else "off top") if self._lies(part) else ("off back" if far else "off front")
-        return re.sub(r"^1 stitches\b", "1 stitch", self.own[key].format(n=n))
+        return self.own[key.replace("off", "off one") if n == "1" else key].format(n=n)

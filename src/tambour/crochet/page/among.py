@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Final
 
 from tambour.core.errors import Span
@@ -17,6 +18,7 @@ from tambour.crochet.page.hers import cleaned
 from tambour.crochet.page.ordered import Stretch, her_round
 from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.wording import PartText, Row
+from tambour.crochet.words.table import TERMS
 
 _WHICH: Final = re.compile(r"(?:the )?(?:first|second|1st|2nd|other|left|right) \w+\W*$", re.IGNORECASE)
 """A heading of one of two pieces that are written as one."""
@@ -53,15 +55,39 @@ _COPIES: Final = frozenset(
         "1",
     )
 )
-_WITH: Final = re.compile(r"\b(?:with|using|use|join)\b", re.IGNORECASE)
-"""How she says which yarn a part is begun in."""
-_SAYS_COUNT: Final = re.compile(
-    r"(?:[–—]|\s-\s|=)\s*(\d+) (?:sc|hdc|dc|tr|sts?|stitches)\b|\b(\d+) (?:sc|sts?|stitches) evenly (?:spaced )?(?:a?round|across)\b",
-    re.IGNORECASE,
-)
-"""A count within a round."""
-_DONE: Final = frozenset(("turn.", "join."))
 _WORD: Final = re.compile(r"[^\W_]+")
+
+
+@dataclass(frozen=True, slots=True)
+class _Spoken:
+    """Words of a language. yarn : how she says which yarn a part is begun in; count : a count within a round; done : what ends one → our
+    words for it."""
+
+    yarn: re.Pattern[str]
+    count: re.Pattern[str]
+    done: Mapping[str, str]
+
+
+@lru_cache(maxsize=8)
+def _spoken(code: str) -> _Spoken:
+    terms = TERMS[code]
+
+    def spelled(*keys: str) -> list[str]:
+        tables = (terms.stitches, terms.words, terms.heard.stitches, terms.heard.words)
+        return sorted(
+            {s.lower() for key in keys for table in tables for s in table.get(key, ())}, key=len, reverse=True
+        )
+
+    def one_of(words: Iterable[str]) -> str:
+        return f"(?:{'|'.join(re.escape(word) for word in words)})"
+
+    st, adverbs = one_of(spelled("sc", "hdc", "dc", "tr", "stitch")), terms.sentences["gap"].split()[2:]
+    spread = rf"\b(\d+) {st} {one_of(adverbs)}(?: \w+)? {one_of(spelled('around'))}\b"
+    return _Spoken(
+        re.compile(rf"\b{one_of([*spelled('with'), terms.word('join')])}\b", re.IGNORECASE),
+        re.compile(rf"(?:[–—]|\s-\s|=)\s*(\d+) {st}\b|{spread}", re.IGNORECASE),
+        {f"{said}.": terms.sentences[key] for key in ("turn", "join") for said in spelled(key)},
+    )
 
 
 def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
@@ -79,20 +105,21 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
             at = next(k for k, (row, _) in enumerate(placed) if row.span == span and row.hers)
             placed[at + 1 : at + 1] = [(Row("", note, ours=True), span.start) for note in notes_at(book, span)]
     first = next((k for k, (row, _) in enumerate(placed) if row.label), len(placed))
-    if any(_WITH.search(row.words) for row, _ in placed[: first + 1] if row.hers):
+    heard = _spoken(book.code)
+    if any(heard.yarn.search(row.words) for row, _ in placed[: first + 1] if row.hers):
         placed = [one for k, one in enumerate(placed) if k >= first or not (one[0].ours and one[0].colors)]
-    placed = [one for k, one in enumerate(placed) if not _done_there(placed, k)]
+    placed = [one for k, one in enumerate(placed) if not _done_there(placed, k, heard.done)]
     placed = _filled(book, block, _eyes(book, block, placed, said, steps))
     return _as_she_numbers(book, placed)
 
 
-def _done_there(placed: list[tuple[Row, int]], k: int) -> bool:
+def _done_there(placed: list[tuple[Row, int]], k: int, done: Mapping[str, str]) -> bool:
     """Whether a sentence of hers is a turn or a join that stands in our words of the round before it: "7 sc. Turn."."""
     row = placed[k][0]
-    if not row.hers or row.label or row.words.lower() not in _DONE or not k:
+    if not row.hers or row.label or row.words.lower() not in done or not k:
         return False
     before = placed[k - 1][0]
-    return bool(before.label) and not before.hers and before.words.endswith(row.words.lower().rstrip("."))
+    return bool(before.label) and not before.hers and before.words.endswith(done[row.words.lower()])
 
 
 def _as_she_numbers(book: Book, placed: list[tuple[Row, int]]) -> list[Row]:
@@ -213,7 +240,7 @@ def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
     words, count = her_round(text, bool(first.number), last.count), last.count
     if not stated and not drawn and words == her_round(text, bool(first.number), 0):
         count = 0  # ours alone, and not drawn as she says
-    if not last.doubt and _says_other(words, count):
+    if not last.doubt and _says_other(words, count, book.code):
         count = 0
     if not _WORD.search(words):
         return labelled
@@ -225,9 +252,9 @@ def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
     return [Row(label, words, count, b, colors, times=times, span=stretch.span, hers=True, doubt=last.doubt)]
 
 
-def _says_other(words: str, count: int) -> bool:
+def _says_other(words: str, count: int, code: str) -> bool:
     """Whether her words say another count than ours, which counts chains as well, or what an edge has room for."""
-    said = [int(found[0] or found[1]) for found in _SAYS_COUNT.findall(words)]
+    said = [int(found[0] or found[1]) for found in _spoken(code).count.findall(words)]
     return bool(said) and count not in said
 
 

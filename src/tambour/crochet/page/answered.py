@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tambour.crochet.page.book import Book
 
 _BEGUN: Final = re.compile(
-    r"\b(?:begin|start|work)\w*\b[^.\n]{0,25}\b(?:at|from|with|in)\b[^.\n]{0,25}\b(?:top|bottom|nose|snout|muzzle|crown|base|neck|front|back|tip|tail)\b",
+    r"\b(?:begin|start|work)\w*\b[^.\n]{0,25}\b(?:at|from)\b[^.\n]{0,25}\b(?:top|bottom|nose|snout|muzzle|crown|base|neck|front|back|tip|tail)\b",
     re.IGNORECASE,
 )
 """How she says where a part is begun: "Begin at bottom.", "starting from the nose"."""
@@ -34,14 +34,14 @@ def onto(book: Book, record: Finish) -> bool:
     mine, host = (built.parts[spots[name]].section for name in (record.part, record.spot.part))
     told = [p for p in built.pattern.warnings if p.span is not None]
     own = [line.span for line in built.pattern.parts[mine].lines if line.in_round]
-    if any(p.message.startswith(UNKNOWN) and any(_meet(p.span, line) for line in own) for p in told if p.span):
+    if any(p.message.startswith(UNKNOWN) and any(meet(p.span, line) for line in own) for p in told if p.span):
         return True
     rounds = [*own, *(line.span for line in built.pattern.parts[host].lines if line.in_round)]
     names = {built.pattern.parts[k].name for k in (mine, host)}
     return any(
         p.span is not None
         and p.message.startswith(BESIDE)
-        and any(_meet(p.span, line) and names <= _named(book, line) for line in rounds)
+        and any(meet(p.span, line) and names <= _named(book, line) for line in rounds)
         for p in told
     )
 
@@ -58,8 +58,9 @@ def says_way(book: Book, section: int) -> bool:
     return "worked from" in said.lower() or any(_BEGUN.search(words) for words in (said, head))
 
 
-def _meet(one: Span, other: Span) -> bool:
-    return one.start < other.end and other.start < one.end
+def meet(one: Span | None, other: Span | None) -> bool:
+    """Whether two places of the text have a letter in common."""
+    return one is not None and other is not None and one.start < other.end and other.start < one.end
 
 
 def _named(book: Book, line: Span) -> set[str]:

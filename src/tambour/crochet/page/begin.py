@@ -164,7 +164,7 @@ def begin(book: Book) -> None:
         notes += paragraph(_tails(book), width, space=1.4)
         notes += paragraph(own["new"], width, space=1.4)
         if book.hers is not None:
-            notes += paragraph(own["ours text"], width, space=1.4)
+            notes += paragraph(f"› = {own['ours sign']}.", width, space=1.4)
     chunks += together(heading(book, own["notes"], width), notes, own["notes"])
     cared = [
         *chunks[:measured],

@@ -11,7 +11,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.page.instructions import by_people
-from tambour.crochet.page.ordered import Stretch, sentences_between, spans_marked, stretches
+from tambour.crochet.page.ordered import Stretch, paragraph, sentences_between, spans_marked, stretches
 from tambour.crochet.words.table import TERMS, Terms
 
 _HEAD: Final = re.compile(r"^[\s#*_=|]*(.*?)[\s*_=:|]*$")
@@ -224,6 +224,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
         )
         for one in stretches(pattern, text.rfind("\n", 0, first) + 1, rest)
     ]
+    over = (-1, -1)  # the part that a heading stands over with the sentences below it, and where it begins
     named = {at.start: at for s in pattern.parts for at in (s.span, *s.also)}
     for a, b, _ in _whole([one for one in lines if one[0] < rest], text, heads, finishing):
         if (a < above and a not in heads) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, _AD, _FOOT)):
@@ -245,11 +246,11 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
                     continue
                 if any(_told(span, step) for step in stepped):
                     made.told.add((span.start, span.end))  # a step of the assembly says it
-                ahead = next(
-                    (k for start, k in starts if start >= span.end and not text[span.end : start].strip(" \t\n#*_")), -1
-                )
-                if ahead >= 0 and words.isupper() and len(words.split()) <= _NAMES:
-                    part = ahead  # "STARFISH" above its first part
+                if words.isupper() and len(words.split()) <= _NAMES:  # "STARFISH" above its first part
+                    over = next(((start, k) for start, k in starts if start >= span.end), over)
+                    if any(span.end <= one.span.start < over[0] for one in made.worked):
+                        over = (-1, -1)
+                part = over[1] if span.end <= over[0] else part
                 made.inside.setdefault(part, []).append((words, span))
     made.closing += waiting
     made.intro += _left(made, pattern, [one for one in lines if one[0] < above and one[0] not in heads])
@@ -455,7 +456,7 @@ def cleaned(words: str, text: str = "") -> str:
     """A sentence without what lists and Markdown put about it, and with its point; of a ``text`` that marks what is worked again
     with two asterisks they stay."""
     marked = spans_marked(text or words)
-    if _FROM_SIGN.match(words) and words.count("*") == 1 and "from *" in text:
+    if _FROM_SIGN.match(words) and words.count("*") == 1 and "from *" in paragraph(words, text):
         return f"*{cleaned(words.lstrip()[1:], text)}"  # "*Ch 3. … Rep from * around."
     if words.lstrip().startswith("|"):  # a row of a table
         words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())

@@ -133,7 +133,7 @@ def _signed(text: str, end: int) -> int:
 
 def _in_heading(text: str, line: Line, heads: list[Span]) -> bool:
     """Whether a line is only the yarn that stands in brackets behind a part's name: "HEAD (A, 3 mm hook)"."""
-    return not any(name != "color" for name in _names(line.items)) and any(
+    return not any(name != "color" for name in names_in(line.items)) and any(
         h.end <= line.span.start and re.fullmatch(r"[^\n)]*\([^\n)]*", text[h.end : line.span.start]) for h in heads
     )
 
@@ -210,7 +210,7 @@ def _plain(pattern: Pattern, span: Span, lines: list[Line], told: frozenset[Span
         return False  # "88 sc and 88 ch-4 spaces": no one number says it
     if "**" in words and spans_marked(text):
         return False  # "12 sc.**": as far as here
-    done = [name for line in lines for name in _names(line.items)]
+    done = [name for line in lines for name in names_in(line.items)]
     if (
         any(name in _ODD for name in done)
         or _FROM_HOOK.search(words)
@@ -239,10 +239,18 @@ def _english(terms: Terms) -> bool:
     return terms.code in ("us", "uk", "letters")
 
 
-def _names(items: Iterable[Item]) -> Iterator[str]:
+def paragraph(words: str, text: str) -> str:
+    """The paragraph that a sentence stands in: what a sign means elsewhere it does not mean here, where a list's points have it."""
+    at = text.find(words.strip())
+    end = text.find("\n\n", max(at, 0))
+    return "" if at < 0 else text[text.rfind("\n\n", 0, at) + 1 : end if end >= 0 else len(text)]
+
+
+def names_in(items: Iterable[Item]) -> Iterator[str]:
+    """The names of all that is done in some items."""
     for item in items:
         if isinstance(item, Group):
-            yield from _names(item.items)
+            yield from names_in(item.items)
         elif isinstance(item, Action):
             yield item.name
 

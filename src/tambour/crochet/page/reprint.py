@@ -5,12 +5,16 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+from tambour.core.errors import Span
 from tambour.crochet.page.among import noted, notes_at, with_hers
+from tambour.crochet.page.answered import meet
 from tambour.crochet.page.assembly import guesses
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.hers import Hers
+from tambour.crochet.page.ordered import names_in
 from tambour.crochet.page.wording import PartText, Words
 from tambour.crochet.piece import Plush
+from tambour.crochet.printed.doubts import BESIDE
 
 
 def reprinted(piece: Plush) -> Words | None:
@@ -51,11 +55,13 @@ def _part(book: Book, part: PartText) -> PartText:
     """A part's lines with her sentences; what is noted with a round stands as a sentence of its own."""
     rows = with_hers(book, part, steps=True)
     start = next((at for at, k in book.hers.starts if k == part.section), 0) if book.hers is not None else 0
-    above = [
-        r for r in rows if r.hers and not r.label and r.words.isupper() and r.span is not None and r.span.end <= start
-    ]
+    before = [r.hers and not r.label and r.span is not None and r.span.end <= start for r in rows]
+    first = next((k for k, row in enumerate(rows) if before[k] and row.words.isupper()), len(rows))
+    for k in range(first + 1, len(rows)):
+        before[k] = before[k] or (rows[k].ours and before[k - 1])  # with what is ours about a sentence
+    above = [row for k, row in enumerate(rows) if k >= first and before[k]]  # the heading, and her sentences below it
     rows = [replace(r, words=r.words.strip("*")) if noted(r) else r for r in rows if r not in above]
-    return replace(part, lines=tuple(rows), above=tuple(r.words for r in above))
+    return replace(part, lines=tuple(rows), above=tuple(f"› {r.words}" if r.ours else r.words for r in above))
 
 
 def _joining(book: Book, parts: tuple[PartText, ...]) -> tuple[tuple[PartText, ...], list[tuple[int, str]]]:
@@ -64,6 +70,7 @@ def _joining(book: Book, parts: tuple[PartText, ...]) -> tuple[tuple[PartText, .
     after, made, joins = book.hers.assembly, list[PartText](), list[tuple[int, str]]()
     for part in parts:
         late = [row for row in part.lines if row.label and row.span is not None and row.span.start >= after]
+        late = [row for row in late if _joins(book, row.span)]  # other rounds stay with their part
         if len(late) == sum(bool(row.label) for row in part.lines):
             made.append(part)  # a part that is worked among the steps
             continue
@@ -71,6 +78,14 @@ def _joining(book: Book, parts: tuple[PartText, ...]) -> tuple[tuple[PartText, .
         joins += [(span.start, str(row)) for span, row in said if span is not None]
         made.append(replace(part, lines=tuple(row for row in part.lines if row not in late)))
     return tuple(made), joins
+
+
+def _joins(book: Book, span: Span | None) -> bool:
+    """Whether a round goes through two pieces."""
+    pattern = book.piece.built.pattern
+    lines = [line for part in pattern.parts for line in part.lines if meet(line.span, span)]
+    told = [p for p in pattern.warnings if p.message.startswith(BESIDE) and meet(p.span, span)]
+    return bool(told) or any("attach" in names_in(line.items) for line in lines)
 
 
 def _sign(book: Book, parts: tuple[PartText, ...], finish: list[str]) -> list[tuple[str, str]]:

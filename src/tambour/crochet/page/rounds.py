@@ -91,8 +91,8 @@ class Rounds:
 
     def _inner(self, done: Done) -> bool:
         """Whether a mark is of the reading alone, and none that a maker puts."""
-        if self.exact or done.what != "mark" or not self.pattern.terms:
-            return False
+        if self.exact or done.what != "mark" or self.terms.code != self.pattern.terms:
+            return False  # in another language rounds that join are told by their marks
         return done.labels[0].lower() not in self.pattern.text.text.lower()
 
     def done(self, done: Done, closing: bool) -> str:

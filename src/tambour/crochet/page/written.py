@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from tambour.core.errors import Span
-from tambour.crochet.graph.built import Built, Done
+from tambour.crochet.graph.built import SAYS, Built, Done
 from tambour.crochet.language.finishes import Placed
 from tambour.crochet.language.stitches import RULES, Stitch
 from tambour.crochet.language.tree import Line, Section
@@ -54,9 +54,7 @@ def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int,
     section: Section | None = None
     part = first = -1
     told = doubted(built.pattern) if inside else frozenset[Span]()
-    alarms = frozenset(
-        p.span for p in built.warnings if p.span is not None and p.message.startswith("the pattern says")
-    )
+    alarms = frozenset(p.span for p in built.warnings if p.span is not None and p.message.startswith(SAYS))
     numbered: dict[str, dict[int, Written]] = {}  # under which numbers a part's rounds can be read
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":

@@ -215,7 +215,7 @@ class Assembly(Hosts):
             self.made.worn = clothes(self)
             on = {one.part.split(".")[0]: one.host for one in self.made.worn}
             self.made.apart = [name for name in self.made.apart if name not in on]
-            self.made.guessed += [f"{name} worn on {host.split('.')[0]}" for name, host in on.items()]
+            self.made.guessed += [(name, f"{name} worn on {host.split('.')[0]}") for name, host in on.items()]
         return self.made
 
     def _fill(self, waiting: list[Put]) -> None:

@@ -112,6 +112,7 @@ def _bundle(toy: Assembly, host: Host, spot: Spot, words: str, span: Span) -> li
     nodes = toy.spots.stitches(toy.spots.last(host.part))
     color = tuple(int(c) for c in toy.built.graph.color[nodes[0]]) if len(nodes) else Hair(()).color
     spot = Spot(spot.part, spot.round, spot.stitch, span)
-    toy.made.guessed.append(f"{'pompom' if pompom else 'tail of yarn'} on {host.name.split('.')[0]}")
+    what = "pompom" if pompom else "tail of yarn"
+    toy.made.guessed.append((what, f"{what} on {host.name.split('.')[0]}"))
     many = _TUFTS if pompom else _STRANDS
     return [Hair((spot,), many, round(cut(hangs, toy.stitch), 1), (color[0], color[1], color[2]), span)]

@@ -92,7 +92,7 @@ class Facer(Putter):
             self._note("eye", host, spots)
             self.deep["eye"] = self.pupil
         if not f.where.says:
-            self.work.made.guessed.append(f"eyes on {host.name}")
+            self.work.made.guessed.append(("eyes", f"eyes on {host.name}"))
         return [Eye(s, big, color, f.span) for s in spots]
 
     def _pupils(self, f: Feature) -> list[Finish] | None:
@@ -312,7 +312,7 @@ class Facer(Putter):
         at = f.where.rounds
         said = at is not None and all(self.stand.there(Spot(host.name, n, None)) for n in at[:2])
         if not said:
-            self.work.made.guessed.append(f"hair on {host.name}")
+            self.work.made.guessed.append(("hair", f"hair on {host.name}"))
         words = before(self.work.text, f.span.start) + f.text
         necks = [p for p in self.work.parts if p.kind == "neck" and p.single]
         if not said and re.search(r"\n\s*mane\b", self.work.text[max(0, f.span.start - _LED) : f.span.start]):

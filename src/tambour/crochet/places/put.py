@@ -201,11 +201,9 @@ class Putter(Pairer):
         self._note(thing, host, [r.spot for r in records])
         if self.work.spots.in_rows[self.work.spots.parts[made.copy(1)]]:
             self.deep[thing] = 0.5 * max(len(ring) for _, ring in self.work.host((made, 1)).levels)
-        if put.guess or put.strange:
-            where_ = f"{made.name} on {onto[0].name}"
-            self.work.made.guessed.append(where_)
-        elif not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1):
-            self.work.made.guessed.append(f"{made.name} on {onto[0].name}")
+        silent = not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1)
+        if put.guess or put.strange or silent:
+            self.work.made.guessed.append((made.name, f"{made.name} on {onto[0].name}"))
         return records
 
     def _over_eyes(self, records: list[Placed], seams: list[Seam]) -> bool:

@@ -46,7 +46,7 @@ _TALL: Final = 0.6
 
 @dataclass
 class Assembled:
-    """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place.
+    """What came of it: records in order; which way parts stand; what was guessed (part, words); what says no place.
 
     apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills; behind : second layers of ears
     and the like, of which nothing is seen; by their names; worn : the clothes that are put on; toys : the parts of each of several
@@ -54,7 +54,7 @@ class Assembled:
 
     finish: list[Finish] = field(default_factory=list)
     ups: dict[str, str] = field(default_factory=dict)
-    guessed: list[str] = field(default_factory=list)
+    guessed: list[tuple[str, str]] = field(default_factory=list)
     loose: list[str] = field(default_factory=list)
     lost: list[Span] = field(default_factory=list)
     apart: list[str] = field(default_factory=list)

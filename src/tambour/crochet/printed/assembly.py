@@ -193,13 +193,13 @@ def assembled(
         made.finish += found.finish
         made.ups |= found.ups
         for whole, more in (
-            (made.guessed, found.guessed),
             (made.loose, found.loose),
             (made.apart, found.apart),
             (made.unstuffed, found.unstuffed),
             (made.behind, found.behind),
         ):
             whole += more
+        made.guessed += found.guessed
         made.lost += found.lost
         made.worn += found.worn
     return made
@@ -218,7 +218,7 @@ def _assembly(built: Built, sentences: list[Sentence], names: list[str]) -> Asse
 
 def told(found: Assembled) -> str:
     """What was guessed, in words."""
-    return "; ".join(dict.fromkeys(found.guessed))
+    return "; ".join(dict.fromkeys(words for _, words in found.guessed))
 
 
 def with_places(pattern: Pattern, found: Assembled) -> Pattern:

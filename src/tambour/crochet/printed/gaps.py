@@ -4,6 +4,7 @@ rounds that are joined with no word that says so."""
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.printed.reworded import reworded
@@ -42,6 +43,13 @@ _OF: Final = re.compile(rf"\bcorner (?:ch|chain) - (\d+) {_SPS}(?!\S)")
 _TO_CORNER: Final = rf"to (?:the )?(?:next )?corner(?: {_SPS})?(?= ,)"
 
 
+@lru_cache(maxsize=16)
+def _corners(size: str) -> Sayings[str]:
+    """Corners of so many chains; lines of one text have the same."""
+    to_next = (_TO_CORNER, f"to next ch - {size} sp")
+    return Sayings((to_next, (rf"in (?:the )?(?:next )?corner {_SPS}(?!\S)", f"in next corner ch - {size} sp")))
+
+
 def spaced(tokens: list[Token]) -> list[Token]:
     """``tokens`` of a line with such spaces put as the rest is read: by their stitches, by their chains, as a ring."""
     said = {t.word for t in tokens}
@@ -51,10 +59,7 @@ def spaced(tokens: list[Token]) -> list[Token]:
     if "corner" in said:
         sizes = set(_OF.findall(" ".join(t.word for t in tokens)))
         if len(sizes) == 1:  # "*sc in each dc to next corner, 3 sc in corner ch-2 sp"
-            (size,) = sizes
-            to_next = (_TO_CORNER, f"to next ch - {size} sp")
-            there = (rf"in (?:the )?(?:next )?corner {_SPS}(?!\S)", f"in next corner ch - {size} sp")
-            tokens = reworded(tokens, Sayings((to_next, there)))
+            tokens = reworded(tokens, _corners(*sizes))
     if "ch" in said or "chain" in said:
         tokens = reworded(tokens, _RINGS)
     if "ch" in said and "-" in said:

@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError
 from tambour.crochet.graph.build import build
-from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.built import NOTHING, SAYS, TOO_MANY, Built
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
 from tambour.crochet.printed.items import goes
@@ -16,7 +16,6 @@ from tambour.crochet.printed.reckoned import after
 
 _ROUNDS = 60  # times that a part is worked to find the next fault
 _TRIES = 6  # times that the whole is
-_TOO_MANY: Final = "the pattern makes more than"
 _OFF = 1.8  # times the stated count that a mistake of the text is, at most
 
 
@@ -69,7 +68,7 @@ def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span], 
     sound : where the lines begin whose words make their counts; unread : what was not understood
     """
     for _ in range(_TRIES):
-        alarms = {p.span: p for p in built.warnings if p.span is not None and p.message.startswith("the pattern says")}
+        alarms = {p.span: p for p in built.warnings if p.span is not None and p.message.startswith(SAYS)}
         wrong = [
             p
             for span, p in alarms.items()
@@ -184,7 +183,7 @@ def _names(items: tuple[Item, ...]) -> set[str]:
 def _section(pattern: Pattern, section: Section, wrong: list[Problem], told: Found) -> Section:
     """One part with gaps where the hook fails; ``wrong`` : how it fails behind the parts before it."""
     wrong = [p for p in wrong if any(_inside(p.span, line) for line in section.lines)]
-    if any(p.message.startswith(_TOO_MANY) for p in wrong):
+    if any(p.message.startswith(TOO_MANY) for p in wrong):
         wrong = _faults(pattern, section)  # without the stitches of those parts it gets further
     for _ in range(_ROUNDS):
         if not wrong:
@@ -286,7 +285,7 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found, above: bool = Tru
             at = line.stated_span or line.span
             if "gap" in _names(line.items) or not count or not line.in_round:
                 said = f"{problem.message}: this round is left out"
-            elif problem.message.startswith(_TOO_MANY) or _misled(lines, line, told.sound):
+            elif _grown(problem) or _misled(lines, line, told.sound):
                 said = f"{problem.message}: this round is taken to have {count}"
                 lines.append(replace(line, items=_gap(line, at, count, True), again=None))
                 told.doubts.append(replace(problem, message=said, warning=True))
@@ -297,6 +296,11 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found, above: bool = Tru
             told.unread.append(replace(problem, message=said, warning=True))
         parts.append(replace(section, lines=tuple(lines)))
     return tuple(parts)
+
+
+def _grown(problem: Problem) -> bool:
+    """Whether a round was understood, and only makes too many stitches."""
+    return problem.message.startswith(TOO_MANY) and problem.message != NOTHING
 
 
 def _first_misled(section: Section, wrong: list[Problem], sound: set[int], stitches: dict[str, Stitch]) -> Line | None:

@@ -187,11 +187,11 @@ class Printed(Headed):
             source.doubt(UNPLACED, hint, span)
         hint = "say the rounds, and how many stitches apart, to have them elsewhere"
         for name, span in usually.items():
-            where = [one for one in found.guessed if one.partition(" on ")[0] == name]
+            where = [words for part, words in found.guessed if part == name]
             source.doubt(f"{GUESSED}: {'; '.join(dict.fromkeys(where)) or name}", hint, span)
-        found.guessed = [one for one in found.guessed if one.partition(" on ")[0] not in usually]
+        found.guessed = [one for one in found.guessed if one[0] not in usually]
         if found.guessed:
-            source.doubt(f"{GUESSED}: {told(found)}", hint, self._named(found.guessed[0]))
+            source.doubt(f"{GUESSED}: {told(found)}", hint, self._named(found.guessed[0][0]))
         if found.apart:
             hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
             source.doubt(f"{ASIDE}: {', '.join(found.apart)}", hint, Span(0, 0))
@@ -210,9 +210,8 @@ class Printed(Headed):
             source.finish += [] if wrong else [record]
         return with_places(pattern, found)
 
-    def _named(self, guessed: str) -> Span:
+    def _named(self, name: str) -> Span:
         """Where the text speaks of what was guessed first: the heading of that part, or the list's eyes."""
-        name = guessed.partition(" on ")[0].partition(", ")[0]
         if listed := eyes_listed(self.source.text.text) if name == "eyes" else "":
             at = self.source.text.text.index(listed)
             return Span(at, at + len(listed))

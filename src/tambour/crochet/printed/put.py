@@ -153,16 +153,24 @@ def eyed(tokens: list[Token]) -> bool:
 
 def _filled(p: State, tokens: list[Token]) -> None:
     """Takes how a part is stuffed from the sentence that sews it on: "Stuff the muzzle lightly and sew it to the head", "Sew on the snout,
-    stuffing lightly as you work"."""
+    stuffing lightly as you work"; where it names only what it is sewn to, "Stuff lightly and sew to the head", the part itself is meant."""
     at = next((k for k, t in enumerate(tokens) if t.kind == "key" and t.value == "stuff"), None)
     if at is None or any(t.value == "not" for t in tokens[max(0, at - 3) : at]):
         return
     near = tokens[at : at + _NEAR]
     amount = next((word for word in ("light", "medium", "firm") if any(t.value == word for t in near)), None)
-    behind = _named(p, near)
-    part = behind or _named(p, tokens[:at])
+    part = _named(p, _sewn_on(near)) or _named(p, _sewn_on(tokens[:at]))
+    if part is None and p.mode != "assembly":
+        part = p.parts[-1]
     if amount is not None and part is not None and part.stuffing is None:
         part.stuffing = STUFFING[amount]
+
+
+def _sewn_on(tokens: list[Token]) -> list[Token]:
+    """The words before those that say to what something is sewn."""
+    words = [t.word for t in tokens]
+    sewn = next((k for k, word in enumerate(words) if word in _SEWING), 0)
+    return tokens[: next((k for k in range(sewn, len(words)) if words[k] in ("to", "onto")), len(words))]
 
 
 def _named(p: State, tokens: list[Token]) -> Draft | None:

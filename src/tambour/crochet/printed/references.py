@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.asides import aside
 from tambour.crochet.printed.counts import multiplier
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
@@ -21,10 +22,9 @@ _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
 _SMALL: Final = frozenset(("the", "very", "your", "its", "this"))
-_BEGINS: Final = frozenset(
-    "beg begin beginning start starting foundation ch chain bottom lower cast base ring magic edge first 1st tip toe end hem rnd round row work".split()
-)
-"""Where a part begins, as people say what a length is measured from."""
+_JOINS: Final = frozenset("join joined joining".split())
+_BASES: Final = ("", "base")
+"""Kinds of parts that another is not measured from: its own base is where it begins."""
 _LEADS: Final = frozenset(("ending", "end", "finishing", "finish", "on", "work", "working"))
 _LEFT: Final = frozenset(("rem", "remain", "remaining", "left", "around", "in"))
 _ONE: Final = frozenset(("round", "rnd", "row", "rd"))
@@ -330,13 +330,19 @@ def _length(c: Cursor) -> tuple[float | None, bool]:
 
 
 def _from_elsewhere(c: Cursor) -> bool:
-    """Whether a length is measured from another place than where the part begins: "from joining rnd", "from top of shoe"."""
+    """Whether a length is measured from a join, or from another part, "from joining rnd", "from top of shoe", "from color change": other
+    words say where the part itself begins, in more ways than could be listed."""
     if not c.key("from"):
         return False
     ahead = 1
     while (word := c.look(ahead)) is not None and word.word in _SMALL:
         ahead += 1
-    return word is not None and word.kind != "mark" and word.word.rstrip(".") not in _BEGINS and word.value != "begin"
+    if word is None or word.kind == "mark":
+        return False
+    after = c.look(ahead + 1)
+    if after is not None and (word.word == "top" or (word.word in ("color", "colour") and after.word == "change")):
+        return after.kind != "mark"
+    return word.word in _JOINS or word.value == "join" or kind_of(one(word.word.rstrip("."))) not in _BASES
 
 
 def _measured(c: Cursor) -> int:

@@ -8,6 +8,8 @@ from typing import Final, Generic, TypeVar
 
 Meant = TypeVar("Meant")
 _PIECE: Final = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\((?:\?(?:P<\w+>|:|<?[=!]))?|\{\d*,?\d*\}|.", re.DOTALL)
+_UNKNOWN: Final = re.compile(r"\(\?(?!P<|:|<?[=!])")
+"""Groups that are not looked into: conditions, flags, names of what stood before, comments."""
 
 
 class Sayings(Generic[Meant]):
@@ -49,7 +51,7 @@ class Sayings(Generic[Meant]):
 
 def needed(said: str) -> tuple[str, ...]:
     """Letters of which some stand in whatever an expression finds: of its runs of plain letters the longest; "" where none is needed."""
-    if "(?(" in said:
+    if _UNKNOWN.search(said):
         return ("",)
     pieces = [*_PIECE.findall(said), ")"]
     open_: list[tuple[str, list[tuple[str, ...]], list[tuple[str, ...]]]] = [("(", [], [("",)])]

@@ -1,0 +1,149 @@
+"""What the reader and the page take from words that are near to those they know: no more than is said."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.graph.built import NOTHING
+from tambour.crochet.page.among import _spoken
+from tambour.crochet.page.instructions import plain
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.printed.choose import read
+from tambour.crochet.words.sayings import needed
+from tambour.crochet.words.table import TERMS
+
+BALL = "Rnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnds 3-6: sc in each st around (12)\n"
+HEAD = f"HEAD\n{BALL}Fasten off.\n"
+
+
+def printed(text: str, **params: str) -> str:
+    return plain(make(Text(text, "toy.txt"), CrochetParams(solver="none", **params), Progress())).text
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Stuff lightly and sew to the head.",
+        "Stuff lightly and sew it to the body.",
+        "Sew to the body, stuffing lightly.",
+        "Stuff the arm lightly and sew it to the body.",
+    ],
+)
+def test_what_is_stuffed_while_it_is_sewn_on_is_the_part_itself(said: str) -> None:
+    text = f"Bo\n\n{HEAD}\nBODY\n{BALL}Fasten off.\n\nARM (make 2)\n{BALL}Fasten off. {said}\n"
+    assert [part.stuffing for part in read(Text(text, "bo.txt")).parts] == [None, None, 0.4]
+
+
+def test_rounds_behind_the_heading_of_the_assembly_stay_with_their_part_unless_they_join_two() -> None:
+    text = f"Bo\n\n{HEAD}\nBODY\n{BALL}\nASSEMBLY\nSew the head to the body.\nRnd 7: sc2tog x 6 (6)\nFasten off. Weave in all ends.\n"
+    words = printed(text).splitlines()
+    assert words.index("Rnd 7: 6 sc2tog (6)") < words.index("Assembly")
+
+
+def test_a_heading_over_several_parts_stands_with_its_sentences_where_she_wrote_it() -> None:
+    text = (
+        "Doll\n\nINSTRUCTIONS\n\nTINY DOLL\nWork in a spiral throughout.\nMark the first stitch of each round.\n\n"
+        f"{HEAD}\nHER DRESS\nThis one is worked with two strands.\n\nBODICE\n{BALL}Fasten off.\n"
+    )
+    words = [line for line in printed(text).splitlines() if line and not line.startswith("--")]
+    ahead = ["TINY DOLL", "Work in a spiral throughout.", "Mark the first stitch of each round.", "HEAD"]
+    dress = ["HER DRESS", "This one is worked with two strands.", "BODICE"]
+    for order in (ahead, dress):
+        assert [words.index(b) - words.index(a) for a, b in pairwise(order)] == [1] * (len(order) - 1)
+
+
+def test_a_point_of_a_list_is_no_sign_to_repeat_from() -> None:
+    text = (
+        f"Bo\n\n{HEAD}\nSCARF\n*Ch 31.\nRow 1: sc in 2nd ch from hook and in each ch across (30)\n"
+        "Row 2: Ch 1, turn, *sc in next st, ch 1, skip next st; rep from * across.\nFasten off.\n\nFINISHING\n*Brush the head a little.\n"
+    )
+    assert "- Brush the head a little." in printed(text)
+
+
+@pytest.mark.parametrize(
+    ("said", "more"),
+    [
+        ("beginning", 9),
+        ("the toe", 9),
+        ("last stripe", 9),
+        ("the ring", 9),
+        ("the bottom", 9),
+        ("top of shoe", 15),
+        ("the shoe", 15),
+        ("color change", 15),
+    ],
+)
+def test_a_length_is_measured_from_where_the_part_begins_unless_another_part_or_a_join_is_named(
+    said: str, more: int
+) -> None:
+    text = (
+        "Doll\nGauge: 5 sc and 5 rows = 1 in.\n\nLEG\nRound 1: 6 sc in magic ring (6)\nRound 2: inc x 6 (12)\n"
+        f"Rounds 3-5: sc in each sc around (12)\nRound 6: Sc in each sc around. Repeat Round 6 until leg measures 3 ins from {said}.\n"
+    )
+    assert sum(line.times for line in read(Text(text, "doll.txt")).parts[0].lines) == 6 + more
+
+
+def test_a_turn_that_stands_in_our_words_is_not_said_again_in_any_language() -> None:
+    text = (
+        "Maus\n\nAbkürzungen: fM = feste Masche, M = Masche, Lm = Luftmasche\n\nSCHAL\n10 Lm anschlagen.\n"
+        "Reihe 1: 9 fM ab der 2. Lm. (9)\nWenden.\nReihe 2: 1 Lm, 9 fM.\nWenden.\nReihe 3: 1 Lm, 9 fM. (9)\nFaden abschneiden.\n"
+    )
+    assert "wenden" in printed(text) and "Wenden." not in printed(text)
+
+
+@pytest.mark.parametrize(
+    ("code", "said", "count"),
+    [
+        ("us", "work 20 sts evenly spaced around", 20),
+        ("us", "in each sc around = 14 sc", 14),
+        ("de", "12 fM gleichmäßig verteilt rundherum", 12),
+        ("de", "in jede M – 12 fM", 12),
+        ("nl", "20 vasten gelijk verdeeld rondom", 20),
+    ],
+)
+def test_a_count_within_a_round_is_heard_in_the_language_of_the_text(code: str, said: str, count: int) -> None:
+    assert [int(a or b) for a, b in _spoken(code).count.findall(said)] == [count]
+
+
+def test_a_mark_that_a_round_is_joined_at_is_told_where_her_words_are_not() -> None:
+    text = (
+        f"Bo\n\nLEG (make 2)\n{BALL}Fasten off the first leg only.\n\nBODY\nRnd 1: Join the legs: sc in each st of the second leg, "
+        "sc in each st of the first leg. (24)\nRnd 2: sc in each st around (24)\n"
+    )
+    words = printed(text, terms="de")
+    assert "Markierer leg_2 setzen" in words and "Kante von Markierer leg_2" in words
+
+
+def test_eyes_of_plastic_buy_no_mouth() -> None:
+    text = f"Bo\n\n{HEAD}Stuff.\n\nASSEMBLY\nPut the safety eyes between rounds 3 and 4, 4 sts apart, and embroider a smile below the safety eyes.\n"
+    ours = [line for line in printed(text).splitlines() if "›" in line]
+    assert any("mm" in line for line in ours)
+
+
+@pytest.mark.parametrize(("said", "ours"), [("Work in the back loops.", True), ("Begin at the top.", False)])
+def test_which_way_up_a_part_is_worked_is_told_unless_she_says_where_it_begins(said: str, ours: bool) -> None:
+    text = f"Bo\n\nHEAD\n{said}\n{BALL}Fasten off.\n\nEAR (make 2)\n{BALL}Fasten off. Sew the ears to the head between rounds 2 and 3.\n"
+    assert ("› Worked from" in printed(text)) is ours
+
+
+@pytest.mark.parametrize("said", [r"(?P<n>sc) dec (?P=n)", r"(?i:sc) dec", r"(?#of old)sc", r"(sc)?(?(1)b|c)"])
+def test_expressions_that_are_not_looked_into_need_nothing(said: str) -> None:
+    assert needed(said) == ("",)
+
+
+def test_what_goes_on_for_ever_without_a_stitch_is_told_at_once() -> None:
+    text = f"Ball\n\n{BALL}Rnd 7: *turn, turn; repeat from * 9999999 times. (12)\nRnd 8: sc2tog x 6 (6)\n"
+    assert [p.message.partition(":")[0] for p in read(Text(text, "ball.txt")).unread] == [NOTHING]
+
+
+@pytest.mark.parametrize("code", ["us", "de", "fr", "es", "nl"])
+@pytest.mark.parametrize("side", ["front", "back", "top", "under"])
+def test_one_stitch_from_the_middle_is_one(code: str, side: str) -> None:
+    one, more = TERMS[code].page[f"off one {side}"], TERMS[code].page[f"off {side}"]
+    assert one not in (more, more.format(n=1)) and "1 " in one
+    assert one.split()[-3:] == more.split()[-3:]
