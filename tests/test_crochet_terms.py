@@ -285,6 +285,9 @@ _NAMED = {
     "assembly.py: book.own[where]": ["back", "side", "above", "below"],
     "assembly.py: book.own[key]": ["sewn flat", "sewn odd"],
     "taken.py: self.own[key]": ["side under", "side top", "side back", "side front"],
+    "taken.py: self.own[key.replace('off', 'off one') if n == '1' else key]": [
+        f"off{one} {side}" for one in ("", " one") for side in ("front", "back", "top", "under")
+    ],
     **dict.fromkeys(("diagram.py: own[-1:]", "diagram.py: own[0]", "written.py: own[number]"), ()),  # no words
     **dict.fromkeys(("size.py: own[~np.isin(graph.peculiarity[own], (ROOT, TIP))]", "taken.py: own[near, 1]"), ()),
 }

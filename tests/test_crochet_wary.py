@@ -147,3 +147,15 @@ def test_one_stitch_from_the_middle_is_one(code: str, side: str) -> None:
     one, more = TERMS[code].page[f"off one {side}"], TERMS[code].page[f"off {side}"]
     assert one not in (more, more.format(n=1)) and "1 " in one
     assert one.split()[-3:] == more.split()[-3:]
+
+
+def test_what_a_round_makes_as_written_is_what_its_stitches_make() -> None:
+    rounds = "".join(
+        f"{n}: Ch 1. {said} Join with sl st to first sc. ({count})\n"
+        for n, said, count in (
+            ("Rnd 1", "6 sc in magic ring.", 6),
+            ("Rnd 2", "Sc2tog. 1 sc in each of next 4 sc.", 5),
+            ("Rnd 3", "Sc2tog. 1 sc in each of next 4 sc.", 4),
+        )
+    )
+    assert "[as written it makes 5] (4)" in printed(f"Bo\n\nHEAD\n{rounds}Fasten off.\n")

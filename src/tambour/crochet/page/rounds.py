@@ -69,7 +69,7 @@ class Rounds:
         if kind == "row" and not self.exact and line.pieces[-1][0][0].what == "again":
             words = re.sub(rf"\b{re.escape(self.terms.word('round'))}\b", word, words)
         if line.said and not self.exact:  # her count stays hers, with the doubt beside it where there is one
-            doubt, count = f"[{self.terms.page['makes'].format(n=count)}]" if line.wrong else "", line.said
+            doubt, count = f"[{self.terms.page['makes'].format(n=line.wrong)}]" if line.wrong else "", line.said
         return Row(head, words, count, last, hues_of(all_of(line)), times=line.times, doubt=doubt)
 
     def items(self, line: Written, closing: bool) -> str:

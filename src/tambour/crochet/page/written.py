@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -17,6 +18,7 @@ from tambour.crochet.page.doubted import doubted
 _LONGEST = 24
 
 _MAKES = frozenset(("mr", "ch", "oval", "fsc"))
+_SHOWN = re.compile(r"the round makes (\d+)")
 
 Piece = tuple[tuple[Done, ...], int]
 """Things done in a row, and how often."""
@@ -29,7 +31,8 @@ class Written:
     number : of its round; 0 for a line outside rounds, and for a chain that a part begins with; times : rounds like it
     makes : it is a round, or begins one; count : stitches on its edge afterwards, 0 for none
     notes : sentences that stand with it; said : the count that the text states where that is another, 0 where it is not
-    wrong : that count is told to be wrong: people also leave chains or slip stitches out of theirs, and are right
+    wrong : how many it makes where that count is told to be wrong, 0 where it is not: people also leave chains or slip stitches out
+        of theirs, and are right
     hers : her line, where it was not understood as she says it; line : the line that says it
     """
 
@@ -40,7 +43,7 @@ class Written:
     count: int
     notes: tuple[str, ...] = ()
     said: int = 0
-    wrong: bool = False
+    wrong: int = 0
     hers: bool = False
     line: Line | None = None
 
@@ -54,7 +57,7 @@ def sections(built: Built, inside: bool = False) -> Iterator[tuple[Section, int,
     section: Section | None = None
     part = first = -1
     told = doubted(built.pattern) if inside else frozenset[Span]()
-    alarms = frozenset(p.span for p in built.warnings if p.span is not None and p.message.startswith(SAYS))
+    alarms = _alarms(built)
     numbered: dict[str, dict[int, Written]] = {}  # under which numbers a part's rounds can be read
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":
@@ -111,6 +114,12 @@ def _named(line: list[Done], runs: _Runs, stitches: Mapping[str, Stitch]) -> lis
     return made
 
 
+def _alarms(built: Built) -> dict[Span, int]:
+    """Where the text states counts that its rounds do not make, and what they make, as that is told."""
+    told = [p for p in built.warnings if p.message.startswith(SAYS)]
+    return {p.span: int(found[1]) for p in told if p.span is not None and (found := _SHOWN.search(p.message))}
+
+
 def _lines(
     section: Section,
     log: list[Done],
@@ -118,7 +127,7 @@ def _lines(
     through: Mapping[int, _Runs],
     stitches: Mapping[str, Stitch],
     told: frozenset[Span],
-    alarms: frozenset[Span],
+    alarms: Mapping[Span, int],
     apart: bool = False,
 ) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
@@ -171,7 +180,7 @@ def _lines(
                 count,
                 tuple(notes) if final else (),
                 said,
-                source.stated_span in alarms,
+                alarms.get(source.stated_span, 0) if source.stated_span is not None else 0,
                 source.span in told,
                 source,
             )
