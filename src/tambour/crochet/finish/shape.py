@@ -25,6 +25,7 @@ from tambour.geometry.motion import fit, turned
 if TYPE_CHECKING:
     from tambour.crochet.finish.joining import Joined, Joining
     from tambour.crochet.params import CrochetParams
+    from tambour.crochet.settle.rest import Rest
 
 GRAIN = 9
 """Decimals, in stitches, that positions have where settling begins: the last bits of a sine or a root depend on the
@@ -82,6 +83,11 @@ class Look:
 Shaping = Generator[Look, None, Shape]
 
 
+Known = dict[str, tuple[Array, Array, "Rest", Array]]
+"""What a body of fabric is, where it begins and how it is stuffed → its nodes and centroids at rest, about its first node as it was; how
+it came to rest; and its volumes."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Task:
     """A graph and how to shape it.
@@ -89,6 +95,7 @@ class Task:
     width : mm per stitch; counts (P,) centroids of each part
     snug : settled parts keep the size of their gauge (:mod:`tambour.crochet.settle.snug`) instead of what springs give way
     joining : the parts to be placed; laid : those that hands lay smooth, by name
+    known : how parts came to rest by themselves, by what they are: for several tasks that differ only in how parts are placed
     """
 
     graph: StitchGraph
@@ -100,6 +107,7 @@ class Task:
     snug: bool = False
     joining: Joining | None = None
     laid: frozenset[str] = frozenset()
+    known: Known | None = None
 
     def body(self, graph: StitchGraph, counts: Array) -> Body:
         """The body of ``graph``, a cut of this task's."""
@@ -222,7 +230,7 @@ def _measured(body: Body, state: State, hurried: bool) -> Shape:
 
 def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) -> Shaping:
     """Every body of fabric at rest by itself, then the parts of every sewn piece together."""
-    from tambour.crochet.settle.rest import Rest, laplacian, tolerance
+    from tambour.crochet.settle.rest import laplacian, tolerance
     from tambour.crochet.settle.rest import settle as bring_to_rest
 
     graph = task.graph
@@ -235,7 +243,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
     begun = x.copy()
     volume = np.zeros(len(graph.parts))
     ends: dict[int, Rest] = {}
-    known: dict[str, tuple[Array, Array, Rest, Array]] = {}
+    known: Known = {} if task.known is None else task.known
     factors: dict[str, Callable[[Array], Array]] = {}
     joined: Joined | None = None
 
@@ -290,6 +298,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         up = risen(x, begun, parts(graph))
         x, c = up, carried(task, x, up, c)
     task, x, c, joined = placed(task, x, c)
+    known = {}  # what is sewn together is told by more than its fabric
     x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     graph = task.graph
     piece = clusters(graph)

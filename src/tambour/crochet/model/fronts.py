@@ -20,6 +20,7 @@ class Fronts:
     tip, end : points (3,) where it begins and where it is drawn together, the middle of the rim where it is open
     lines : of every round, (K, 3), in the direction of work; closed : whether it is drawn together
     lost : the share of the length of all lines that no round follows: bumps beside the part's own way
+    closing : how many of the lines, the last ones, close an end that is wide where the way ends: they take up nothing of it
     """
 
     tip: Array
@@ -27,6 +28,12 @@ class Fronts:
     lines: tuple[Array, ...]
     closed: bool
     lost: float
+    closing: int = 0
+
+    @property
+    def rows(self) -> int:
+        """How many lines lie along the way."""
+        return len(self.lines) - self.closing
 
     @property
     def girths(self) -> Array:
@@ -64,10 +71,11 @@ def fronts(
         made.append(found[kept][::-1])
         middle = found[kept].mean(0)
     end = vertices[int(f.argmax())] if rim is None else made[-1].mean(0)
+    led = len(made)
     # A flat end is worked to its middle: what is still wide is halved until it can be drawn together.
     while rim is None and girth(made[-1]) > DRAWN:
         made.append(end + 0.5 * (made[-1] - end))
-    return Fronts(vertices[tip], end, tuple(made), rim is None, lost / max(total, 1e-12))
+    return Fronts(vertices[tip], end, tuple(made), rim is None, lost / max(total, 1e-12), len(made) - led)
 
 
 def along(line: Array, count: int, start: float) -> Array:

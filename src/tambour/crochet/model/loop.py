@@ -181,23 +181,54 @@ def bare(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]
 def pulled(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
     """The best that threads make of ``best``, pulled a batch at a time, each kept that brings enough; and the mean distances on the way.
 
-    Fabric that is held springs from one shape to another, so that its rounds are corrected by small steps.
+    Fabric that is held springs from one shape to another: a correction of its rounds is as likely to throw it as to mend it. So every
+    batch is pulled as tight as its ends belong and tighter, and corrected, its threads alone and its rounds as well, only from the nearest
+    there was.
     """
     most = threads.most(sum(best.counts), task.plain) if task.params.stuffing != "none" else 0
-    was, tighter, history = best, threads.FIRST if _stuffed(task) else 0.0, list[float]()
+    was, history = best, list[float]()
+    tights = (threads.FIRST, 0.0) if _stuffed(task) else (0.0,)
     add = most if most <= HARDLY else max(2, most // BATCHES)
-    for _ in range(BATCHES + SPARE):
-        holds = threads.chosen(best, min(add, most - len(best.holds)), tighter)
-        if len(holds) == len(best.holds):
+
+    def nearer(now: Tried, wanted: Array, holds: tuple[threads.Hold, ...]) -> Tried:
+        made = tried(task, wanted, holds)
+        history.append(made.distance.mean)
+        return made if made.price < now.price else now
+
+    def batch(last: Tried, add: int) -> Tried | None:
+        """``last`` with up to ``add`` threads more, as near as corrections bring it."""
+        holds = [threads.chosen(last, min(add, most - len(last.holds)), tight) for tight in tights]
+        if len(holds[0]) == len(last.holds):
+            return None
+        now = tried(task, last.wanted, holds[0])
+        history.append(now.distance.mean)
+        for other in holds[1:]:
+            now = nearer(now, last.wanted, other)
+        step = HELD
+        for _ in range(min(AGAIN, tries)):
+            before = now
+            now = nearer(now, now.wanted, threads.tightened(now, step))
+            now = nearer(now, corrected(task, now, step), threads.tightened(now, step))
+            if now is before:
+                break
+            step *= SLOWER
+        return now
+
+    def cost(one: Tried) -> float:
+        return one.price + threads.EACH * len(one.holds)
+
+    last: Tried | None = best
+    for _ in range(BATCHES):  # a batch that brings nothing may be what the next one needs
+        if last is None or (last := batch(last, add)) is None:
             break
-        now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries), HELD)
-        history += more
-        if now.price < best.price - max(GAIN, threads.EACH * (len(now.holds) - len(best.holds))):
-            best = now
-        elif add == 1:
+        best = min(best, last, key=cost)
+    for _ in range(SPARE):
+        add //= 2
+        now = batch(best, add) if add else None
+        if now is None:
             break
-        else:  # fewer at once, and no tighter than they belong
-            add, tighter = add // 2, 0.0
+        if cost(now) < cost(best) - GAIN:
+            best, add = now, 2 * add
     return best if task.plain <= 0.0 or threads.worth(was, best) else was, history
 
 
@@ -205,20 +236,19 @@ def resized(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[floa
     """The task, and the best rounds of it, with rounds fewer or more, one after another as long as that brings it nearer: fewer by as many
     as its ends stand out of the model (stuffing bulges ends, and counts alone cannot but make them thin), or more or fewer by what
     it came out too short or too long by, as fabric that is curved is."""
-    rows, row, history = len(task.way.lines), task.stitch[1] / task.stitch[0], list[float]()
+    rows, row, history = task.way.rows, task.stitch[1] / task.stitch[0], list[float]()
     if task.lines is None or task.hollow[0] or rows < 3 * FEWER:
         return task, best, history
     least, most = rows - FEWER, rows + FEWER
     while True:
-        rows = len(task.way.lines)
+        rows = task.way.rows
         off = signed(task.target, best.worked.x, best.distance)
         out = max(float(off[0]), 0.0) + (max(float(off[-1]), 0.0) if task.way.closed else 0.0)
         more = min(max(rows + (-int(out / row) or round(short(best) / row)), least), most) - rows
         if not more:
             return task, best, history
         way = task.lines(np.ones(rows + more))
-        many = len(way.lines)
-        wider = np.interp((np.arange(many) + 0.5) / many, (np.arange(rows) + 0.5) / rows, best.wanted / task.way.girths)
+        wider = _wider(task, best, way, (np.arange(rows) + 0.5) / rows)
         on = replace(task, way=way, leans=())
         now, through = _counted(on, tried(on, wider * way.girths), tries)
         history += through
@@ -248,21 +278,20 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
     if task.lines is None or task.hollow[0]:
         return task, best, history
     was, now, on = (task, best), best, task
-    bend, step, idle, share = np.zeros((len(best.counts), 2)), STEP, 0, readable.uneven(task.plain)
+    bend, step, idle, share = np.zeros((task.way.rows, 2)), STEP, 0, readable.uneven(task.plain)
     for _ in range(min(BENT, tries)):
-        bend = bend + step * bends.needed(now)
+        bend = bend + step * bends.needed(now)[: len(bend)]
         leans = bends.leaning(bend, share * len(bend))
         if not any(lean is not None for lean in leans):
             break
         upto = np.cumsum(bends.heights(leans))
-        rows = max(3, round(len(task.way.lines) * len(leans) / float(upto[-1])))
+        rows = max(3, round(task.way.rows * len(leans) / float(upto[-1])))
         at, own = (np.arange(rows) + 0.5) / rows, (upto - 0.5) / upto[-1]
         bend = np.column_stack([np.interp(at, own, bend[:, k]) for k in range(2)])
         leans = bends.leaning(bend, share * rows)
         way = task.lines(bends.heights(leans))
-        many = len(way.lines)  # a flat end has some more
-        leans, bend = (leans + [None] * many)[:many], np.concatenate([bend, np.zeros((many, 2))])[:many]
-        wider = np.interp((np.arange(many) + 0.5) / many, own, now.wanted / on.way.girths)
+        leans, bend = [*leans[: way.rows], *[None] * way.closing], bend[: way.rows]
+        wider = _wider(on, now, way, own)
         on = replace(task, way=way, leans=tuple(leans))
         now = tried(on, wider * way.girths)
         again = tried(on, corrected(on, now, step))
@@ -274,6 +303,16 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
             break
         step *= SLOWER
     return *was, history
+
+
+def _wider(task: Task, last: Tried, way: Fronts, at: Array) -> Array:
+    """How much longer than its line every round of another ``way`` is, for a start: as much as that of ``last`` at the same share of the way,
+    where its own lie ``at`` (R,); rounds that close a wide end are as before."""
+    own = last.wanted / task.way.girths
+    rows = task.way.rows
+    wider = np.interp((np.arange(way.rows) + 0.5) / way.rows, at, own[:rows])
+    closing = [*own[rows:], *[1.0] * way.closing][: way.closing]
+    return np.concatenate([wider, closing])
 
 
 def _counted(task: Task, best: Tried, tries: int, step: float = STEP) -> tuple[Tried, list[float]]:

@@ -22,6 +22,7 @@ from tambour.geometry.motion import dot, fit, length, turned
 from tambour.geometry.surface import vertex_normals
 
 if TYPE_CHECKING:
+    from tambour.crochet.finish.shape import Known
     from tambour.crochet.language.finishes import Placed
     from tambour.crochet.params import CrochetParams
 
@@ -56,9 +57,11 @@ def rested(
     params: CrochetParams,
     stitch: tuple[float, float],
     plane: Mirror | None = None,
+    known: Known | None = None,
 ) -> Rest:
-    """The pieces sewn on as ``lines`` say, which put them at ``first`` (N, 3), at rest. plane : the model's mirror, left and right."""
-    built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+    """The pieces sewn on as ``lines`` say, which put them at ``first`` (N, 3), at rest. plane : the model's mirror, left and right;
+    known : as of :func:`together`."""
+    built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch, known)
     goal = np.concatenate([g for p in pieces for g in p.goals])
     lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
     far = lain.mean

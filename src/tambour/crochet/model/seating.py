@@ -17,6 +17,7 @@ from tambour.crochet.model.tips import Mirror
 from tambour.geometry.motion import fit, length, turned
 
 if TYPE_CHECKING:
+    from tambour.crochet.finish.shape import Known
     from tambour.crochet.language.finishes import Placed
     from tambour.crochet.params import CrochetParams
 
@@ -95,6 +96,7 @@ class Seats:
     """The ways that parts were sewn on, one after another, and the best of them.
 
     pieces : as they are sewn on now; had : all ways; away : how parts are moved whose seams were in each other's way
+    rests : how parts came to rest before they were sewn on, which is the same wherever that is
     """
 
     pieces: list[Piece]
@@ -104,6 +106,7 @@ class Seats:
     plane: Mirror | None = None
     had: list[Seat] = field(default_factory=list)
     away: dict[Key, Array] = field(default_factory=dict)
+    rests: Known = field(default_factory=dict)
 
     @property
     def fine(self) -> bool:
@@ -135,7 +138,7 @@ class Seats:
 
     def rest(self, put: Put, nudges: Nudges, same: bool = False) -> Rest:
         """How all comes to rest that is put so. Pairs in the ``same`` words are worth a stitch by which they lie less like each other's image."""
-        now = rested(self.pieces, put.lines, put.x, self.target, self.params, self.stitch, self.plane)
+        now = rested(self.pieces, put.lines, put.x, self.target, self.params, self.stitch, self.plane, self.rests)
         self.had.append(Seat(self.pieces, put, now, nudges, now.price - UNEVEN * SEEN * same))
         self.away = {}
         names = {p.name(c): (k, c) for k, p in enumerate(self.pieces) for c in range(len(p.goals))}

@@ -10,6 +10,7 @@ from tambour.core.graph import StitchGraph
 from tambour.crochet.model.rounds import Rounds, pattern
 
 if TYPE_CHECKING:
+    from tambour.crochet.finish.shape import Known
     from tambour.crochet.graph.built import Built
     from tambour.crochet.language.tree import Pattern
     from tambour.crochet.params import CrochetParams
@@ -47,9 +48,11 @@ def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (
     return Settled(task.graph, risen(shape.x, first_positions(task)[0], [np.arange(len(graph))]), shape.settled)
 
 
-def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array, Array, bool]:
+def together(
+    pattern: Pattern, params: CrochetParams, stitch: tuple[float, float], known: Known | None = None
+) -> tuple[Built, Array, Array, bool]:
     """A pattern worked, its parts sewn on and brought to rest together: positions (N, 3) in stitches, the faces that are seen, and
-    whether it rests."""
+    whether it rests. known : how its parts came to rest by themselves, of patterns before and of this one."""
     import numpy as np
 
     from tambour.crochet.finish.covered import seen
@@ -70,6 +73,7 @@ def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float
         np.zeros(len(graph.parts), np.int64),
         stuffing == "pressure",
         prepare(built),
+        known=known,
     )
     shape = simulate(task)
     return built, shape.x, seen(graph, shape.x, shape.joined, task.graph.faces), shape.settled
