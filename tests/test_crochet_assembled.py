@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crochet_sewn import BODY, LIMBS, laid, read, spot, text
 from tambour.core.errors import Text
 from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
-from tambour.crochet.finish.joining import join, prepare
 from tambour.crochet.finish.limp import Limb, lain
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.finish.sewing import End, end_of, held
@@ -19,33 +19,13 @@ from tambour.crochet.page import angle, portrait
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
-from tambour.crochet.settle.arrange import parts
 
-BODY = """BODY
-Rnd 1: 6 sc in MR (6)
-Rnd 2: inc x 6 (12)
-Rnd 3: (sc, inc) x 6 (18)
-Rnd 4: (2 sc, inc) x 6 (24)
-Rnds 5-12: sc around (24)
-Rnd 13: (2 sc, dec) x 6 (18)
-Rnd 14: (sc, dec) x 6 (12)
-Rnd 15: dec x 6 (6)
-Fasten off and close.
-
-"""
 LEGS = """LEGS (make 2)
 Rnd 1: 6 sc in MR (6)
 Rnd 2: inc x 6 (12)
 Rnds 3-14: sc around (12)
 Rnd 15: Flatten opening; working through both thicknesses, sc in each st across (6)
 Fasten off leaving a long tail for sewing.
-
-"""
-LIMBS = """{0} (make {1})
-Rnd 1: 6 sc in MR (6)
-Rnd 2: inc x 6 (12)
-Rnds 3-5: sc around (12)
-Fasten off.
 
 """
 SNOUTED = """HEAD
@@ -64,24 +44,6 @@ Fasten off and close.
 """
 
 
-def read(parts: str, sentences: str, title: str = "Toy"):
-    return read_printed(Text(f"{title}\n\n{parts}FINISHING\n{sentences}\n", "toy.txt"))
-
-
-def points(pattern):
-    """Where every record's place is as the parts are laid out and put together (N, 3), by its part and order."""
-    built = build(pattern)
-    joining = prepare(built)
-    assert joining is not None
-    joined = join(joining, joining.spots.layout.copy(), parts(built.graph))
-    return built, joining.spots, joined.x
-
-
-def spot(spots: Spots, x: np.ndarray, record) -> np.ndarray:
-    place = spots.place(record.spot)
-    return np.asarray(np.array(place.weights) @ x[list(place.nodes)])
-
-
 def test_an_end_closed_through_both_layers_is_a_line_and_its_limb_goes_where_it_points() -> None:
     """It was taken for a ring: six stitches in a line have no plane, and legs swung to one side."""
     pattern = read(BODY + LEGS, "Sew the legs to the body.")
@@ -96,7 +58,7 @@ def test_an_end_closed_through_both_layers_is_a_line_and_its_limb_goes_where_it_
         assert held(spots.layout, own, end).axis @ [0.0, -1.0, 0.0] > 0.95  # out of its end, to its toes
     one, other = (spots.layout[built.graph.parts[spots.parts[r.part]].start] for r in records)
     assert one == pytest.approx(other)
-    piece = make(pattern_text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(), Progress())
+    piece = make(text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(), Progress())
     x, graph = piece.positions, piece.built.graph
     ways = []
     for record in records:
@@ -106,17 +68,13 @@ def test_an_end_closed_through_both_layers_is_a_line_and_its_limb_goes_where_it_
     assert left[2] > 0.7 and right[2] > 0.7 and left[0] * right[0] < 0.0
 
 
-def pattern_text(parts_: str, sentences: str) -> Text:
-    return Text(f"Toy\n\n{parts_}FINISHING\n{sentences}\n", "toy.txt")
-
-
 def test_arms_of_a_ball_are_below_its_eyes() -> None:
     ball = BODY.replace("5-12", "5-10").replace("13:", "11:").replace("14:", "12:").replace("15:", "13:")
     pattern = read(
         ball + LIMBS.format("ARMS", 2) + LIMBS.format("EARS", 2),
         "Sew the arms and ears to the body as shown. Attach the safety eyes as shown.",
     )
-    _, spots, x = points(pattern)
+    _, spots, x = laid(pattern)
     eyes = [spot(spots, x, f)[1] for f in pattern.finish if isinstance(f, Eye)]
     arms = [spot(spots, x, f)[1] for f in pattern.finish if isinstance(f, Placed) and f.part.startswith("ARMS")]
     assert len(eyes) == len(arms) == 2 and max(arms) < min(eyes)
@@ -156,7 +114,7 @@ def test_what_is_long_goes_on_its_four_feet(measured: str, lies: bool) -> None:
 def test_a_toy_that_sits_with_its_legs_ahead_is_looked_at_from_its_front() -> None:
     """Its legs are not its length: from the side its face was not to be seen."""
     long = LEGS.replace("Rnds 3-14", "Rnds 3-24").replace("Rnd 15", "Rnd 25")
-    piece = make(pattern_text(BODY + long, "Sew the legs to the body."), CrochetParams(), Progress())
+    piece = make(text(BODY + long, "Sew the legs to the body."), CrochetParams(), Progress())
     _, high, deep = np.ptp(piece.positions, axis=0)
     assert deep > 1.3 * high  # or there is nothing to test
     assert portrait.stand(piece) == portrait.AHEAD
@@ -276,7 +234,7 @@ def test_ears_of_which_the_rounds_are_said_run_from_the_one_to_the_other() -> No
     "words, called_", [("so that they look like a heart from above", "above"), ("at the back", None)]
 )
 def test_a_step_that_speaks_of_above_is_seen_from_there(words: str, called_: str | None) -> None:
-    piece = make(pattern_text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(solver="none"), Progress())
+    piece = make(text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(solver="none"), Progress())
     found = angle.called(angle.angle(piece, [0, 1, 2], [1, 2], words))
     assert found == called_ if called_ else found != "above"
 
@@ -401,7 +359,7 @@ def test_a_muzzle_that_bulges_covers_no_eye() -> None:
         BODY + BODY.replace("BODY", "HEAD") + muzzle,
         "Sew the muzzle to the head. Attach the safety eyes. Sew the head to the body.",
     )
-    _, spots, x = points(pattern)
+    _, spots, x = laid(pattern)
     eyes = [spot(spots, x, f) for f in pattern.finish if isinstance(f, Eye)]
     snout = spot(spots, x, next(f for f in pattern.finish if isinstance(f, Placed) and f.part == "MUZZLE"))
     assert len(eyes) == 2 and min(float(np.sqrt(((e - snout) ** 2).sum())) for e in eyes) > 3.2
@@ -415,7 +373,7 @@ def test_a_head_with_its_eyes_near_its_crown_nods(said: str) -> None:
         head + body,
         f"Attach safety eyes {said} of the head, 4 stitches apart. Sew the head to the open end of the body.",
     )
-    built, spots, x = points(pattern)
+    built, spots, x = laid(pattern)
     eyes = [f.spot for f in pattern.finish if isinstance(f, Eye)]
     assert len(eyes) == 2 and float(frames(spots, x, eyes).normals[:, 1].mean()) < 0.5
     graph, of = built.graph, spots.parts

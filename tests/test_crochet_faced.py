@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from crochet_sewn import BODY, LIMBS, laid, read, spot
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.fallen import HEADS, _hang, _head
@@ -12,7 +13,6 @@ from tambour.crochet.graph.layout import in_rows
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
-from test_crochet_assembled import BODY, LIMBS, points, read, spot
 
 DISC = "FACE\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nFasten off.\n\n"
 DOT = "EYES (make 2)\nRnd 1: 6 sc in MR (6)\nFasten off.\n\n"
@@ -53,7 +53,7 @@ WING = {
 def test_eyes_on_a_face_that_leans_are_in_its_upper_half(said: str) -> None:
     """A face sewn on above a belly looks a little up: the nearest place ahead was its lower edge."""
     pattern = read(CONE.replace("leaving the end open", "close") + DISC + DOT, f"Sew the face to the body. {said}.")
-    built, spots, x = points(pattern)
+    built, spots, x = laid(pattern)
     placed = [f for f in pattern.finish if isinstance(f, Placed)]
     face = x[built.graph.part == spots.parts["FACE"]].mean(0)
     eyes = [spot(spots, x, f) for f in placed if f.part.startswith("EYES")]
@@ -83,7 +83,7 @@ def test_a_muzzle_between_the_eyes_hangs_below_them(said: str) -> None:
     eyes = "Attach safety eyes between Rnds 8 and 9 of the head, 8 sts apart."
     both = BODY + BODY.replace("BODY", "HEAD")
     pattern = read(both + muzzle, f"{eyes} Stuff muzzle and sew {said}. Sew the head to the body.")
-    _, spots, x = points(pattern)
+    _, spots, x = laid(pattern)
     level = np.mean([spot(spots, x, f)[1] for f in pattern.finish if isinstance(f, Eye)])
     snout = next(f for f in pattern.finish if isinstance(f, Placed) and f.part == "MUZZLE")
     assert spot(spots, x, snout)[1] < level - 0.5
@@ -93,7 +93,7 @@ def test_an_egg_of_a_head_on_four_legs_looks_ahead_with_its_narrow_end() -> None
     parts = BODY + EGG + LIMBS.format("LEGS", 4) + LIMBS.format("EARS", 2)
     said = "Sew legs to underside of body. Sew head to front of body. Sew ears to top of head. Attach eyes to head."
     pattern = read(parts, said)
-    built, spots, x = points(pattern)
+    built, spots, x = laid(pattern)
     of = built.graph.part == spots.parts["HEAD"]
     nose, back = (
         x[of][built.graph.round[of] == n].mean(0) for n in (built.graph.round[of].min(), built.graph.round[of].max())

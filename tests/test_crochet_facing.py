@@ -4,6 +4,7 @@ what was crocheted for them, hats and cones stand the right way up."""
 import numpy as np
 import pytest
 
+from crochet_sewn import laid, read, text
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.joining import join, prepare
@@ -13,7 +14,6 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
-from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.settle.arrange import parts
 
 JOINED = """BODY
@@ -57,14 +57,6 @@ Rnd 6: (3 sc, inc) x 4 (20)
 Fasten off, leaving a long tail for sewing curl to underside of cap.
 
 """
-
-
-def text(body: str, sentences: str, title: str = "Toy") -> Text:
-    return Text(f"{title}\n\n{body}FINISHING\n{sentences}\n", "toy.txt")
-
-
-def read(body: str, sentences: str, title: str = "Toy"):
-    return read_printed(text(body, sentences, title))
 
 
 def on(pattern, part: str) -> Placed:
@@ -207,13 +199,6 @@ def test_eyes_that_were_crocheted_do_not_lie_on_each_other() -> None:
     _, spots, x = laid(pattern)
     one, other = (centre(spots, x, f"EYES.{k}") for k in (1, 2))
     assert np.sqrt(((one - other) ** 2).sum()) > 2.0 * 12 / (2.0 * np.pi) - 0.3
-
-
-def laid(pattern):
-    built = build(pattern)
-    joining = prepare(built)
-    assert joining is not None
-    return built, joining.spots, join(joining, joining.spots.layout.copy(), parts(built.graph)).x
 
 
 def centre(spots: Spots, x: np.ndarray, name: str) -> np.ndarray:

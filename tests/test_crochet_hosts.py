@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from crochet_sewn import placed, read
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.joining import join, prepare
@@ -86,14 +87,6 @@ MAKE_UP = (
     "Sew the open end of the cactus to the centre of the soil. Sew the soil inside the pot at round 10. "
     "Attach the eyes between rounds 9 and 10, 4 stitches apart, and embroider a little mouth in black between them."
 )
-
-
-def read(body: str, sentences: str, title: str = "Toy"):
-    return read_printed(Text(f"{title}\n\n{body}FINISHING\n{sentences}\n", "toy.txt"))
-
-
-def placed(pattern) -> dict[str, Placed]:
-    return {r.part: r for r in pattern.finish if isinstance(r, Placed)}
 
 
 def test_shoes_without_a_place_are_at_the_ends_of_the_legs_and_not_on_the_hips() -> None:

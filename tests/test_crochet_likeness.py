@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from crochet_sewn import BODY, LIMBS, laid, read, spot
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.dressed import Wearer
@@ -14,7 +15,6 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
-from test_crochet_assembled import BODY, LIMBS, points, read, spot
 
 HEAD = BODY.replace("BODY", "HEAD")
 LONG = """{0} (make 2)
@@ -65,7 +65,7 @@ def test_an_owls_ear_tufts_stand_on_top_and_its_beak_is_below_the_eyes_that_are_
         parts,
         "Sew the beak to the body as shown. Sew the ear tufts to the body as shown. Sew the eyes to the body as shown.",
     )
-    built, spots, x = points(pattern)
+    built, spots, x = laid(pattern)
     body = x[built.graph.part == spots.parts["BODY"]]
     tufts = [spot(spots, x, f) for f in of(pattern, "EAR TUFTS")]
     eyes = [spot(spots, x, f) for f in of(pattern, "EYES")]
@@ -93,7 +93,7 @@ def test_a_sheeps_ears_lie_level_also_on_top_of_its_head() -> None:
             "Sew the legs to the body. Sew the ears to the top of the head. Sew the head to the front of the body.",
             title,
         )
-        built, spots, x = points(pattern)
+        built, spots, x = laid(pattern)
         for record in of(pattern, "EARS"):
             part = built.graph.parts[spots.parts[record.part]]
             way = x[part.start] - x[end_of(built, spots, record).nodes].mean(0)  # from the seam to the tip
@@ -114,7 +114,7 @@ def test_a_heart_on_a_body_that_bears_a_head_is_on_its_chest_and_one_on_a_head_b
     ahead = {}
     for on in ("body", "head"):
         pattern = read(BODY + HEAD + heart, f"Sew the head to the body. Sew the heart to the {on} as pictured.")
-        built, spots, x = points(pattern)
+        built, spots, x = laid(pattern)
         (record,) = of(pattern, "HEART")
         host = x[built.graph.part == spots.parts[record.spot.part]]
         assert record.spot.part == on.upper()
@@ -130,7 +130,7 @@ def test_chest_fur_is_above_a_belly() -> None:
         pattern = read(
             BODY + HEAD + patch.format(name), f"Sew the head to the body. Sew the {name.lower()} to the body as shown."
         )
-        _, spots, x = points(pattern)
+        _, spots, x = laid(pattern)
         at[name] = spot(spots, x, of(pattern, name)[0])
     assert at["CHEST FUR"][2] > 0.0 and at["CHEST FUR"][1] > at["BELLY"][1] + 1.5
 
@@ -139,7 +139,7 @@ def test_claws_of_a_bird_without_other_feet_are_its_feet() -> None:
     beak = "BEAK\nRnd 1: 6 sc in MR (6)\nRnd 2: sc around (6)\nFasten off.\n\n"
     for parts, low in ((beak, True), ("", False)):
         pattern = read(BODY + parts + LIMBS.format("CLAWS", 2), "Sew everything to the body as shown.")
-        built, spots, x = points(pattern)
+        built, spots, x = laid(pattern)
         body = x[built.graph.part == spots.parts["BODY"]]
         heights = [(spot(spots, x, f)[1] - body[:, 1].min()) / np.ptp(body[:, 1]) for f in of(pattern, "CLAWS")]
         assert len(heights) == 2 and (max(heights) < 0.3) == low
@@ -149,7 +149,7 @@ def test_legs_of_a_doll_hang_and_those_of_another_toy_are_ahead_of_it() -> None:
     """A doll sat with its legs through its skirt."""
     for title, hangs in (("Market day doll", True), ("Little hare", False)):
         pattern = read(BODY + HEAD + LONG.format("LEGS"), "Sew the head to the body.", title)
-        built, spots, x = points(pattern)
+        built, spots, x = laid(pattern)
         for record in of(pattern, "LEGS"):
             part = built.graph.parts[spots.parts[record.part]]
             way = x[part.start] - x[end_of(built, spots, record).nodes].mean(0)
@@ -285,7 +285,7 @@ def test_a_body_whose_narrow_half_is_worked_first_sits_on_its_broad_end_and_boug
     dot = "EYES (make 2)\nWith white\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nFasten off.\n\n"
     said = "Sew the eyes to the body as shown."
     pattern = read(PEAR + dot, said, "Owl\nMaterials: two 8 mm safety eyes")
-    _, spots, x = points(pattern)
+    _, spots, x = laid(pattern)
     own = spots.parts["BODY"]
     assert (
         x[spots.stitches(spots.round_at(own, 2))][:, 1].mean() > x[spots.stitches(spots.round_at(own, 27))][:, 1].mean()
@@ -369,7 +369,7 @@ def test_a_pompom_that_is_made_for_a_tail_is_on_the_toy() -> None:
         "Rabbit",
     )
     (tuft,) = (f for f in pattern.finish if isinstance(f, Hair))
-    built, spots, x = points(pattern)
+    built, spots, x = laid(pattern)
     own = x[built.graph.part == spots.parts["BODY"]]
     at = spot(spots, x, SimpleNamespace(spot=tuft.spots[0]))
     assert at[2] < own[:, 2].mean() and at[1] < own[:, 1].mean()
@@ -387,7 +387,7 @@ def test_a_mane_goes_down_the_nape_and_leaves_the_face_free() -> None:
     )
     strands = [f for f in pattern.finish if isinstance(f, Hair)]
     assert {f.spots[0].part for f in strands} == {"HEAD", "NECK"}
-    built, spots, x = points(pattern)
+    built, spots, x = laid(pattern)
     own = x[built.graph.part == spots.parts["HEAD"]]
     for f in strands:
         for s in f.spots:

@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
+from crochet_sewn import placed
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.features import placed as placed_features
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
+from tambour.crochet.language.finishes import Embroidery, Eye, Hair
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.places.face import motifs
 from tambour.crochet.places.stand import Host, Stand, numbers_of
@@ -84,10 +85,6 @@ Row 1: sc in 2nd ch from hook and in each ch across, turn
 Rows 2-{3}: ch 1, sc in each st, turn
 {1}
 """
-
-
-def placed(pattern) -> dict[str, Placed]:
-    return {r.part: r for r in pattern.finish if isinstance(r, Placed)}
 
 
 def at(pattern, record):

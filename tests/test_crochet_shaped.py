@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from crochet_sewn import BODY, text
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.capped import rim_on
@@ -13,18 +14,6 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
 
-BODY = """BODY
-Rnd 1: 6 sc in MR (6)
-Rnd 2: inc x 6 (12)
-Rnd 3: (sc, inc) x 6 (18)
-Rnd 4: (2 sc, inc) x 6 (24)
-Rnds 5-12: sc around (24)
-Rnd 13: (2 sc, dec) x 6 (18)
-Rnd 14: (sc, dec) x 6 (12)
-Rnd 15: dec x 6 (6)
-Fasten off and close.
-
-"""
 SNOUTED = """HEAD
 Rnd 1: 6 sc in MR (6)
 Rnd 2: (sc, inc) x 3 (9)
@@ -52,10 +41,6 @@ Rnds 2-{0}: sc around (6)
 Fasten off.
 
 """
-
-
-def text(parts: str, sentences: str, title: str = "Toy") -> Text:
-    return Text(f"{title}\n\n{parts}FINISHING\n{sentences}\n", "toy.txt")
 
 
 def test_a_head_that_begins_as_a_snout_looks_ahead_though_nobody_says_so() -> None:
