@@ -114,6 +114,17 @@ def test_what_stands_behind_the_last_round_sews_the_part_itself_on(end, rounds):
     assert placed(pattern)["CREST"].spot.round == rounds
 
 
+@pytest.mark.parametrize("how", ["closed at the 2nd rnd", "shut flat at round 2"])
+def test_the_round_at_which_an_end_is_closed_is_no_place_on_the_body(how):
+    """A hen's tail hung at her neck, where her body has a round of that number."""
+    rounds = []
+    for said in (f"Sew the end of the tail {how}. Stuff the tail. ", "Stuff the tail. "):
+        tail = LIMB.format("TAIL", f"Fasten off. {said}Sew the tail to the body as shown.", 1)
+        pattern = read_printed(Text(f"Hen\n\n{BALL.format('BODY', 'Stuff. Fasten off.')}{tail}", "hen.txt"))
+        rounds.append(placed(pattern)["TAIL"].spot.round)
+    assert rounds[0] == rounds[1]
+
+
 @pytest.mark.parametrize(
     "end",
     [

@@ -18,6 +18,12 @@ EYED: Final = re.compile(
 DRAWN: Final = re.compile(
     r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|create|draw|add|french knots?|whiskers|apply)\b"
 )
+CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
+"""A sentence that closes a part, and puts it nowhere."""
+SHUT_AT: Final = re.compile(
+    r"\b(?:closed|shut)\s+(?:flat\s+)?(?:at|along|across|on|after)\s+(?:the\s+)?(?:\d|last|final|rounds?|rnds?|rows?)"
+)
+"""The round at which a part's own end is closed: "sew the end of the tail closed at the 7th rnd"."""
 ALL: Final = re.compile(
     r"\b(?:sew|attach|assemble|stitch|join|put)\s+(?:on\s+)?(?:everything|all (?:of )?(?:the |your )?(?:pieces|parts|limbs|bits)|the (?:pieces|parts)|(?:pieces|parts)|all together)\b"
 )

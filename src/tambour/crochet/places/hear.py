@@ -14,12 +14,14 @@ from tambour.crochet.places.assembling import (
     ALL,
     BLUSH,
     BUTTONS,
+    CLOSING,
     DRAWN,
     EYED,
     EYES,
     IT,
     MEET,
     SAFETY_NOSE,
+    SHUT_AT,
     THREAD,
     TO,
     UNDER_HEAD,
@@ -58,8 +60,6 @@ _EDGES: Final = re.compile(
     r"(?:(?:the\s+)?(?:\w+\s+)?(?:edges?|rims?|stitches|that|those)\s+of\s+)?(?=the\b)"
 )
 """Two edges that are laid on each other before they are sewn: "Match the edge of the gills with the edge of the cap and whip stitch"."""
-_CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
-"""A sentence that closes a part, and puts it nowhere."""
 _IT: Final = re.compile(
     r"(?:sew|stitch|attach|pin|place|position|glue|whipstitch|put|fasten|tack|secure|join|seam)\s+(?:it\b|them\b|these\b|"
     r"this\b|(?:the )?(?:piece|circle|disc|disk|oval)\b|both\b|to\b|onto\b|on\b(?! (?:\w+ )?(?:buttons|beads|sequins|bells?|ribbons?|pompoms?|bows?)\b)|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d+ (?:on|to|at|in|onto|each)\b|one\b|"
@@ -382,8 +382,8 @@ class Heard:
                 hosts = [m for m in hosts if m.copies[0][0] != known]
         if (
             not hosts
-            and at.rounds is None
-            and _CLOSING.search(low)
+            and (at.rounds is None or SHUT_AT.search(low))
+            and CLOSING.search(low)
             and len({c[0] for m in objects for c in m.copies}) < 2
         ):
             return bool(objects or sentence.part)
