@@ -72,6 +72,13 @@ DEEP = {0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45
 # alone it stands up there before them: where the colour changes the old one has teeth.
 LOW = {0: 0.69, 1: 0.575, 2: 0.44, 3: 0.27, 27: 0.9, 28: 0.97, 29: 1.02, 30: 1.02, 31: 1.07, 32: 1.155, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.8, 45: 0.765}  # fmt: skip
 
+# The same of the yarn laid under the hook, whose legs cross half way up and stand as far apart below as above, an x: the leg that comes
+# down lies before the other, and steeper, so that the other is seen on either side of it. Drawn tight alone they cross in their hole, and one sees a single slanted leg, a kernel; and its head
+# lies before them.
+CROSSED = {6: -0.30, 7: -0.22, 8: 0.0, 9: 0.28, 10: 0.56, 11: 0.70, 12: 0.50, 13: 0.14, 14: 0.03, 15: 0.09, 16: 0.21, 17: 0.32, 18: 0.36}  # fmt: skip
+BEFORE = {6: 0.18, 7: 0.33, 8: 0.27, 9: 0.25, 10: 0.34, 11: 0.12, 13: 0.03, 14: 0.28, 15: 0.42, 16: 0.44, 17: 0.34, 18: 0.1, 0: -0.44, 1: -0.38, 2: -0.345, 3: -0.34, 43: -0.36, 44: -0.43, 45: -0.45, 21: -0.10, 22: -0.02, 23: 0.0, 24: -0.03, 25: -0.06, 26: -0.06, 27: -0.06, 28: 0.0, 29: 0.06, 30: 0.10, 31: 0.10, 32: 0.04, 33: 0.05}  # fmt: skip
+UP = {6: 0.02, 7: 0.13, 8: 0.28, 9: 0.43, 10: 0.58, 11: 0.72, 14: 0.70, 15: 0.52, 16: 0.32, 17: 0.12, 18: 0.02, 0: 0.62, 1: 0.52, 2: 0.40, 3: 0.24, 27: 0.9, 28: 0.97, 29: 1.02, 30: 1.02, 31: 1.07, 32: 1.155, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.8, 45: 0.72}  # fmt: skip
+
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:
     """A course (N, 4) of a stitch, the next one behind it, as a smooth line of ``count`` points at even distances."""
@@ -257,7 +264,7 @@ def main(arguments: list[str]) -> None:
             break
         low, most = (tight, most) if length > LENGTH else (low, tight)
     # Its few points cut corners, and its legs take more: drawn tight once more, by as much as it needs.
-    low, most, made, held = 1e-4, 0.1, table(x, up), ({}, {}, {}) if under else (LEGS, DEEP, LOW)
+    low, most, made, held = 1e-4, 0.1, table(x, up), (CROSSED, BEFORE, UP) if under else (LEGS, DEEP, LOW)
     for _ in range(9):
         snug = (low * most) ** 0.5
         made = rested(table(x, up), high, -up[0], *held, snug)

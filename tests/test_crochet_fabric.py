@@ -281,8 +281,41 @@ def test_a_single_crochet_shows_a_v_and_yarn_under_an_x() -> None:
     gaps = [down - up for up, down in (legs(loops.SINGLE, level) for level in (0.15, 0.4, 0.6))]
     assert 0.2 < gaps[0] < gaps[1] < gaps[2]  # the leg that goes up lies to the right; they spread
     assert gaps[2] > 1.7 * gaps[0]
-    crossed = [down - up for up, down in (legs(loops.UNDER, level) for level in (0.1, 0.6))]
-    assert crossed[0] > 0.1 and crossed[1] < -0.3
+    crossed = [down - up for up, down in (legs(loops.UNDER, level) for level in (0.15, 0.36, 0.6))]
+    assert crossed[0] > 0.4 and abs(crossed[1]) < 0.15 and crossed[2] < -0.4, (
+        "an x: half way up, as wide below as above"
+    )
+
+
+@pytest.mark.parametrize("aside", [-35.0, 0.0, 35.0])
+def test_yarn_under_shows_both_legs_of_its_x(aside: float) -> None:
+    """A row of it was kernels of corn: the leg behind crossed in the hole and was hidden, and the head lay before what was left of it."""
+    table, lean, high, half = loops.UNDER, loops.LEAN["under"], 0.9, 0.22
+    turn, step, one = np.radians(aside), 0.02, np.array([1.0, 0.0, 0.0])
+    line = np.vstack([table, table[:1] + one])
+    t = np.linspace(0.0, len(table), 30 * len(table))[:-1]
+    fine = np.stack([np.interp(t, np.arange(len(line)), line[:, c]) for c in range(3)], axis=1)
+    of = np.where((t > 6) & (t < 11), 1, np.where((t > 13) & (t < 19), 2, 0))
+    u, v, w = np.concatenate(
+        [[fine[:, 0] - lean * (fine[:, 1] + r) + k, high * (fine[:, 1] + r), fine[:, 2]] for r in range(-2, 3) for k in range(-4, 5)], axis=1
+    )  # fmt: skip
+    of = np.tile(of, 45)
+    across, deep = u * np.cos(turn) - w * np.sin(turn), w * np.cos(turn) + u * np.sin(turn)
+    cells = np.round(np.stack([across / np.cos(turn), v], axis=1) / step).astype(int)
+    size = int(2 * half / step) // 2
+    disc = [(a, b, (1 - (a * a + b * b) / (size + 1) ** 2) ** 0.5 * half) for a in range(-size, size + 1) for b in range(-size, size + 1) if a * a + b * b <= size * size]  # fmt: skip
+    top, shown = np.full((400, 400), -9.0), np.zeros((400, 400), int)
+    for a, b, out in disc:
+        x, y = np.add(cells, (a + 150, b + 150)).T
+        inside = (x >= 0) & (x < 400) & (y >= 0) & (y < 400)
+        order = np.flatnonzero(inside)[np.argsort((deep + out)[inside], kind="stable")]
+        front = deep[order] + out > top[x[order], y[order]]
+        order = order[front]
+        top[x[order], y[order]], shown[x[order], y[order]] = deep[order] + out, of[order]
+    middle = shown[150 - 50 : 150 + 50, 150 : 150 + round(high / step)]
+    assert (middle == 2).mean() > 0.3, "the leg before"
+    assert (middle == 1).mean() > 0.25, "the leg behind, on both sides of it"
+    assert (middle == 0).mean() < 0.25, "heads"
 
 
 @pytest.mark.parametrize("aside", [-50.0, 0.0, 50.0])
