@@ -182,35 +182,27 @@ def pulled(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
     """The best that threads make of ``best``, pulled a batch at a time, each kept that brings enough; and the mean distances on the way.
 
     Fabric that is held springs from one shape to another: a correction of its rounds is as likely to throw it as to mend it. So every
-    batch is pulled as tight as its ends belong and tighter, and corrected, its threads alone and its rounds as well, only from the nearest
-    there was.
+    batch is pulled tighter than its ends belong and as tight as they do, the next one goes on from the nearest there was, and one that
+    brings nothing may be what the next one needs.
     """
     most = threads.most(sum(best.counts), task.plain) if task.params.stuffing != "none" else 0
     was, history = best, list[float]()
     tights = (threads.FIRST, 0.0) if _stuffed(task) else (0.0,)
     add = most if most <= HARDLY else max(2, most // BATCHES)
 
-    def nearer(now: Tried, wanted: Array, holds: tuple[threads.Hold, ...]) -> Tried:
-        made = tried(task, wanted, holds)
-        history.append(made.distance.mean)
-        return made if made.price < now.price else now
-
     def batch(last: Tried, add: int) -> Tried | None:
         """``last`` with up to ``add`` threads more, as near as corrections bring it."""
         holds = [threads.chosen(last, min(add, most - len(last.holds)), tight) for tight in tights]
         if len(holds[0]) == len(last.holds):
             return None
-        now = tried(task, last.wanted, holds[0])
-        history.append(now.distance.mean)
-        for other in holds[1:]:
-            now = nearer(now, last.wanted, other)
-        step = HELD
+        made = [tried(task, last.wanted, one) for one in holds]
+        history.extend(one.distance.mean for one in made)
+        now = min(made, key=lambda one: one.price)
+        at, step = now, HELD
         for _ in range(min(AGAIN, tries)):
-            before = now
-            now = nearer(now, now.wanted, threads.tightened(now, step))
-            now = nearer(now, corrected(task, now, step), threads.tightened(now, step))
-            if now is before:
-                break
+            at = tried(task, corrected(task, at, step), threads.tightened(at, step))
+            history.append(at.distance.mean)
+            now = at if at.price < now.price else now
             step *= SLOWER
         return now
 
