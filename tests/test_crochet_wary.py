@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
 
 import pytest
@@ -9,6 +10,8 @@ import pytest
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.graph.built import NOTHING
+from tambour.crochet.maker.named import rounds_named
+from tambour.crochet.maker.sure import as_far, contradicts, hers_too, puts_eyes, sides, whole
 from tambour.crochet.page.among import _spoken
 from tambour.crochet.page.instructions import plain
 from tambour.crochet.params import CrochetParams
@@ -159,3 +162,119 @@ def test_what_a_round_makes_as_written_is_what_its_stitches_make() -> None:
         )
     )
     assert "[as written it makes 5] (4)" in printed(f"Bo\n\nHEAD\n{rounds}Fasten off.\n")
+
+
+BEAR = (
+    "Bear\n\nHEAD AND BODY\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: [sc, inc] x 6 (18)\nRnd 4: [2 sc, inc] x 6 (24)\n"
+    "Rnds 5-9: sc in each st around (24)\nRnd 10: [2 sc, sc2tog] x 6 (18)\nRnd 11: [sc, sc2tog] x 6 (12)\nStuff the head.\n"
+)
+BODY = (
+    "Do not fasten off.\nBODY: See Diagram on page 5.\nRnd 1: sc in each st around (12)\nRnd 2: inc x 12 (24)\nRnds 3-8: sc in each st around (24)\n"
+    "Rnd 9: [2 sc, sc2tog] x 6 (18)\nRnd 10: [sc, sc2tog] x 6 (12)\nRnd 11: sc2tog x 6 (6)\nStuff. Fasten off.\n"
+)
+LEG = "\nLEG (make 2)\nRnd 1: 6 sc in magic ring (6)\nRnds 2-5: sc in each st around (6)\nFasten off.\n"
+
+
+def ours(text: str) -> list[str]:
+    return [line.strip() for line in printed(text).splitlines() if line.strip().startswith("›")]
+
+
+def test_rounds_that_she_numbers_anew_are_not_told_by_our_numbers() -> None:
+    text = f"{BEAR}{BODY}{LEG}\nASSEMBLY\nSew the legs to the body between 6th and 7th rnds.\n"
+    pattern = read(Text(text, "bear.txt"))
+    assert [line.number for line in pattern.parts[0].lines if line.number][-1] == 22
+    assert [hers_too(pattern, 0, *levels) for levels in ((2.0, 5.0), (10.0, 13.0), (18.0, 19.0))] == [
+        True,
+        False,
+        False,
+    ]
+    assert not [words for words in ours(text) if re.search(r"\bround \d", words)]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "share", "lies", "against"),
+    [
+        ("Sew the legs to the back of the head.", 0.1, False, True),
+        ("Sew the legs to the back of the head.", 0.4, False, False),
+        ("Sew the legs to the sides of the head.", 0.01, False, True),
+        ("Sew the legs to the sides of the head.", 0.15, False, False),
+        ("Sew the legs to the belly.", 0.1, True, True),
+        ("Sew the back legs to the front of the head.", 0.45, False, True),
+        ("Sew the legs to the back loops of the head.", 0.1, False, False),
+        ("Sew the legs to the front and back.", 0.1, False, False),
+    ],
+)
+def test_a_place_of_ours_that_hers_does_not_bear_out_is_known(
+    sentence: str, share: float, lies: bool, against: bool
+) -> None:
+    pattern = read(Text(f"{BEAR}Fasten off.\n{LEG.replace('LEG', 'BACK LEG')}", "bear.txt"))
+    assert contradicts(sides(sentence, pattern), share, lies) is against
+
+
+def test_of_what_is_sewn_together_no_place_is_told() -> None:
+    said = ours(f"{BEAR}Fasten off.\n{LEG}\nASSEMBLY\nSew the legs tog along their edges and onto the head.\n")
+    assert not [words for words in said if re.search(r"\bround \d", words)]
+
+
+def test_a_seam_round_the_crown_is_at_no_side_of_it() -> None:
+    cap = "\nCAP\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: [sc, inc] x 6 (18)\nRnds 4-6: sc in each st around (18)\nFasten off.\n"
+    said = ours(f"{BEAR}Fasten off.\n{cap}\nASSEMBLY\nSew cap to top of head.\n")
+    assert said and not [words for words in said if "middle of the front" in words]
+
+
+def test_what_is_spoken_of_is_not_said_to_be_silent() -> None:
+    arm = (
+        "\nWork now on the loops left free.\nJoin yarn with sl st to any rem front loop of 8th rnd of Head.\n\n"
+        "TENTACLE\nCh 12.\nRow 1: sc in 2nd ch from hook and in each ch across (11)\nFasten off.\n"
+    )
+    text = f"Squid\n\n{BEAR.partition(chr(10))[2].replace('HEAD AND BODY', 'HEAD')}Fasten off.\n{arm}"
+    assert not [words for words in ours(text) if "does not say" in words or words.startswith("› Sew")]
+    assert [
+        words
+        for words in ours(text.replace("Join yarn with sl st to any rem front loop of 8th rnd of Head.\n", ""))
+        if "does not say" in words
+    ]
+
+
+def test_a_chain_is_no_round_of_which_anyone_knows_the_number() -> None:
+    patch = "\nPATCH\nCh 7.\nRnd 1: sc in 2nd ch from hook, sc in next 4 ch, 3 sc in last ch, working on other side, sc in next 4 ch, 2 sc in last ch. (14)\nFasten off.\n"
+    said = ours(
+        f"{BEAR}Fasten off.\n{patch}\nASSEMBLY\nSew the patch to the front of the head. Put in the safety eyes on the patch.\n"
+    )
+    assert not [words for words in said if re.search(r"\b(?:Rnd|round) 0\b", words)]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "rounds"),
+    [
+        ("Sew legs between 26th and 27th rnds.", (26, 27)),
+        ("Sew legs to 5th round.", (5, 5)),
+        ("Sew legs between rounds 3 and 4.", (3, 4)),
+        ("Sew legs to the 2nd leg.", ()),
+    ],
+)
+def test_rounds_are_named_before_their_word_too(sentence: str, rounds: tuple[int, ...]) -> None:
+    assert rounds_named(sentence, "us") == rounds
+
+
+def test_eyes_that_are_only_named_are_not_placed() -> None:
+    assert puts_eyes("Attach safety eyes between rounds 5 and 6.", "us") and puts_eyes("With B, embroider eyes.", "us")
+    assert not puts_eyes(
+        "With right side of body facing, attach A with a slip st to the corner edge of row 5, to the left of the dc eyes.",
+        "us",
+    )
+
+
+@pytest.mark.parametrize(
+    ("said", "wide", "far"), [('Spaced 4" [10 cm] apart.', 40.0, False), ("Place them 4 cm apart.", 38.0, True)]
+)
+def test_eyes_are_as_far_apart_as_she_says_or_nothing_is_said(said: str, wide: float, far: bool) -> None:
+    assert as_far(said, wide) is far
+
+
+@pytest.mark.parametrize(
+    ("said", "known"),
+    [("Round 0, stitch 20.", False), ("Rounds 10 to 20, 0.5 cm.", True), ("On Rnd 0 at st 1.", False)],
+)
+def test_round_0_is_nobodys(said: str, known: bool) -> None:
+    assert whole(said) is known

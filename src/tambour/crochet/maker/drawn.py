@@ -13,6 +13,7 @@ from tambour.crochet.finish.features import placed
 from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT, extent
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import Embroidery
+from tambour.crochet.maker.sure import hers_too
 
 if TYPE_CHECKING:
     from tambour.crochet.maker.taken import Taken
@@ -65,7 +66,10 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
             return []
         return [own["took knot row" if rows else "took knot"].format(a=round(rounds[0]), b=round(stitch))]
     over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)
-    if taken.rounds(first) or sum(r.part == part and r.number > 0 for r in taken.built.rounds) <= _FEW:
+    mine = (min(rounds), max(rounds))
+    if rows or not hers_too(taken.built.pattern, taken.built.parts[part].section, *mine):
+        over = ""  # nobody counts these so
+    elif taken.rounds(first) or sum(r.part == part and r.number > 0 for r in taken.built.rounds) <= _FEW:
         over = ""  # she says it, or a snout is too small to be counted
     elif len(taken.built.graph.parts) > 1:
         over += f" ({taken.built.pattern.parts[taken.built.parts[part].section].name})"
@@ -86,8 +90,10 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
         size = _size(own, _each([first], points)[0])
     if len(alike) == 2 and first.motif not in ("eyes", "claws"):
         apart = [float(np.mean([abs(taken.off(s)[0]) for s in r.spots])) for r in alike]
-        where = taken.from_middle(first.spots[0].part, [float(np.mean(apart))], taken.off(first.spots[0])[1])
-        where = where if np.mean(apart) >= 0.5 else ""  # the two strokes of one thing
+        many_there = taken.off(first.spots[0])[1]
+        where = taken.from_middle(first.spots[0].part, [float(np.mean(apart))], many_there)
+        if np.mean(apart) < 0.5 or np.mean(apart) > many_there / 4:
+            where = ""  # the two strokes of one thing; or a face that is not in front
         return [own["each"].format(what=size), over, where, _stitched(taken, first)]
     return [size, over, _stitched(taken, first)] if len(alike) == 1 else [over]
 

@@ -25,7 +25,8 @@ def rounds_named(sentence: str, code: str) -> tuple[int, ...]:
     )
     joint = rf"(?:-|–|—|{'|'.join(_JOINTS)})"
     named = rf"\b(?:{spelt})\.?\s*(\d+)(?:\s*{joint}\s*(?:(?:{spelt})\.?\s*)?(\d+))?"
-    found = re.findall(named, sentence, re.IGNORECASE)
+    nth = rf"\b(\d+)(?:st|nd|rd|th)(?:\s*{joint}\s*(\d+)(?:st|nd|rd|th))?\s+(?:{spelt})\b"
+    found = re.findall(named, sentence, re.IGNORECASE) + re.findall(nth, sentence, re.IGNORECASE)
     if len(found) != 1:
         return ()
     numbers = sorted(int(n) for n in found[0] if n)

@@ -13,6 +13,7 @@ from tambour.core.graph import SEWN
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot
+from tambour.crochet.maker import sure
 from tambour.crochet.maker.drawn import sized
 from tambour.crochet.maker.named import rounds_named
 from tambour.geometry.near import nearest
@@ -82,7 +83,7 @@ class Taken:
         placed = [r for r in records if isinstance(r, Placed)]
         for base in dict.fromkeys(self._base(r) for r in placed):
             alike = [r for r in placed if self._base(r) == base]
-            said = self._said(self._part(alike))
+            said = self._said(self._part(alike)) if self._sure(alike) else []
             if said and self._against(alike):
                 said = [self.own["took elsewhere"].format(what=f"{said[0][:1].lower()}{said[0][1:]}")]
             made |= dict.fromkeys(said)
@@ -90,11 +91,31 @@ class Taken:
         for motif in dict.fromkeys((r.motif, r.spots[0].part) for r in drawn):
             said = sized(self, [r for r in drawn if (r.motif, r.spots[0].part) == motif])
             made |= dict.fromkeys(self._said(said, self._called(motif[0]) if len({m.motif for m in drawn}) > 1 else ""))
-        return list(made)
+        return [words for words in made if sure.whole(words)]
+
+    def _sure(self, alike: list[Placed]) -> bool:
+        """Whether parts are where she says, on rounds that she numbers as we do."""
+        first, pattern = alike[0], self.built.pattern
+        if self.spots.place(first.spot).opening:
+            return True
+        if sure.joined(self.words(first), pattern.terms):
+            return False
+        levels = [s[:, 0] for r in alike if len(s := self._seam(r))] or [np.array([first.spot.round])]
+        host = self._base_of(first.spot.part)
+        if not sure.hers_too(pattern, host, *(float(f(np.concatenate(levels))) for f in (np.min, np.max))):
+            return False
+        count = self.off(first.spot)[1]
+        if not count or first.spot.stitch is None or len(alike) > 2:
+            return True
+        return not sure.contradicts(self._sides(first), self._mean_off(alike) / count, self._lies(first.spot.part))
+
+    def _sides(self, record: Placed) -> frozenset[str]:
+        """The sides of its host that her sentence of a part names."""
+        return sure.sides(self.words(record), self.built.pattern)
 
     def eyes(self, eyes: Sequence[Eye]) -> str:
         """How many stitches from the middle each of two eyes is; "" where they are not two."""
-        if len(eyes) != 2:
+        if len(eyes) != 2 or not self._eyed(eyes):
             return ""
         off = [float(int(np.mean([abs(self.off(e.spot)[0]) for e in eyes]) + 0.01))]
         count = self.off(eyes[0].spot)[1]
@@ -103,7 +124,19 @@ class Taken:
         each = self.own["each"].format(what=self.from_middle(eyes[0].spot.part, off, count))
         words = self.built.pattern.text.text[eyes[0].span.start : eyes[0].span.end].lower()
         counted = "" if _NUMBERED.search(words) else self._counted([e.spot for e in eyes])
-        return "".join(self._said([each, counted]))
+        return "".join(words for words in self._said([each, counted]) if sure.whole(words))
+
+    def _eyed(self, eyes: Sequence[Eye]) -> bool:
+        """Whether her sentence puts eyes there, on the front of a round that she numbers as we do."""
+        pattern, spot = self.built.pattern, eyes[0].spot
+        text = pattern.text.text[eyes[0].span.start : eyes[0].span.end]
+        off, count = self.off(spot)
+        wide = 2.0 * abs(off) * self.piece.stitch[0]
+        if text and not (sure.puts_eyes(text, pattern.terms) and sure.as_far(text, wide)):
+            return False
+        behind = not self._lies(spot.part) and abs(off) > count / 4
+        levels = [e.spot.round for e in eyes]
+        return not behind and sure.hers_too(pattern, self._base_of(spot.part), min(levels), max(levels))
 
     def _counted(self, spots: list[Spot]) -> str:
         """At which stitches of their round two spots are, counted from its first; "" where they are on no one round."""
@@ -151,7 +184,7 @@ class Taken:
         if hers and (levels.min() > hers[1] + _NEAR or levels.max() < hers[0] - _NEAR):
             return True
         apart = self._apart(first)
-        gaps = [self._gap(first, seams), 2 * round(levels.min())]  # or counted over the top
+        gaps = [sure.gap_on(first.spot.round, seams), 2 * round(levels.min())]  # or counted over the top
         gap = min(gaps, key=lambda n: abs(n - apart))
         return len(alike) == 2 and apart > 0 and gaps[0] > 0 and abs(gap - apart) > max(3.0, _FAR * apart)
 
@@ -160,14 +193,11 @@ class Taken:
         found = _APART.search(self.words(record).lower())
         return int(found[1]) if found is not None else 0
 
-    @staticmethod
-    def _gap(first: Placed, seams: list[Array]) -> int:
-        """How many stitches of the round of their middles are between two ends; 0 where they are on no one round."""
-        near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
-        return round(float(sum(near))) if np.isfinite(near).all() else 0
-
     def _base(self, record: Placed) -> int:
-        return self.built.parts[self.spots.parts[record.part]].section
+        return self._base_of(record.part)
+
+    def _base_of(self, part: str) -> int:
+        return self.built.parts[self.spots.parts[part]].section
 
     # -- parts ------------------------------------------------------------------------------------------------------
 
@@ -212,19 +242,21 @@ class Taken:
                 else own["took ring"].format(a=low, b=high)
                 if low < high
                 else own["took round"].format(n=low),
-                self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), plain),
+                ""
+                if any(sure.about_axis(s[:, 1], self._count(host, round(float(s[:, 0].mean())))) for s in seams)
+                else self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), plain),
             ]
             if high < 1:
                 return [
                     self._middle(first, self._mean_off(alike), self._count(host, 1)),
                     *self._points(alike),
                 ]  # at its very end
-            gap = self._gap(first, seams)
+            gap = sure.gap_on(first.spot.round, seams)
             if len(alike) == 2 and gap and (not self._apart(first) or self._against(alike)):
                 said.append(own["took gap on"].format(n=gap, r=round(first.spot.round)))
         elif high - low <= _LEVEL and turn < 60.0:
             level = round((low + high) / 2)
-            said = self._along(first, seams, level, len(alike), self._level(hers, level))
+            said = self._along(first, seams, level, len(alike), sure.level_named(hers, level))
         else:
             said = self._across(alike, low, high, len(end.nodes) - len(end.pinched))
         return [*said, *self._points(alike), *self._rests(alike, host)]
@@ -256,7 +288,7 @@ class Taken:
                 below = own[near, 1] > piece.positions[other.start + at[near, 0], 1]
                 if near.sum() >= 3 and below.mean() > 0.5:
                     names[self.built.pattern.parts[section].name] = None
-        return [self.own["took rests"].format(part=name) for name in names]
+        return [self.own["took rests"].format(part=name) for name in names if len(names) == 1]
 
     def _listed(self, alike: list[Placed]) -> str:
         """Where the middles of many copies are, in the order in which one comes to them on a round."""
@@ -293,13 +325,6 @@ class Taken:
             return self.own["took at middle"].format(n=round(level))
         between = self.own["took between"].format(a=int(level), b=int(level) + 1)
         return self.own["its middle"].format(what=between)
-
-    @staticmethod
-    def _level(hers: tuple[int, ...], level: int) -> int:
-        """The number of a round, by her own; 0 for one between two of hers."""
-        if hers and hers[1] - hers[0] == 1:
-            return 0
-        return min(hers, key=lambda n: abs(n - level), default=level)
 
     def _along(self, first: Placed, seams: list[Array], level: int, copies: int, named: int) -> list[str]:
         """Of an edge along a round the stitches from the middle, the first of them beside it; how many are between two.
@@ -405,6 +430,8 @@ class Taken:
             x = 0.0
         found = [("outwards", x), ("upwards", y), ("downwards", -y), ("forwards", z), ("backwards", -z)]
         strong = sorted((f for f in found if f[1] >= _POINTS), key=lambda f: -f[1])
+        if not sure.pointing(self._sides(alike[0]), [key for key, _ in strong]):
+            return []
         said = [self.own[f"way {key}"] for key, _ in strong[:1]]
         for key, share in strong[1:]:
             way = self.own[f"way {key}"]

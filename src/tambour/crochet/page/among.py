@@ -378,7 +378,7 @@ def _eyes(
     if steps and book.words_of(eyes[0]) and not any(row.label for row in rows[at:]):
         return placed  # nothing is closed before she has them put in
     hers = book.words_of(eyes[0]) if _alone(book, eyes) else ""
-    told = eyes_now(book.own, [hers.rstrip(".") + "."] if hers else book.spoken(eyes))
+    told = eyes_now(book.own, [hers.rstrip(".") + "."] if hers else [book.called(words) for words in book.spoken(eyes)])
     more = [Row("", told, ours=book.hers is not None)]
     if hers and (apart := book.taken.eyes(eyes)):
         more.append(Row("", apart, ours=True))

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Finish, Placed
-from tambour.crochet.places.names import Made, mentions
+from tambour.crochet.places.assembling import TO
+from tambour.crochet.places.names import Made, mentions, one
 from tambour.crochet.printed.bases import UNKNOWN
 from tambour.crochet.printed.doubts import BESIDE
 from tambour.crochet.words.gloss import english
@@ -20,6 +21,13 @@ _BEGUN: Final = re.compile(
     re.IGNORECASE,
 )
 """How she says where a part is begun: "Begin at bottom.", "starting from the nose"."""
+_PIECE: Final = re.compile(r"[^.!?;\n]+(?:\n[^.!?;\n]+)*?(?=[.!?;]|\n|$)")
+_LETTERS: Final = re.compile(r"[^\W\d_]+")
+_JOINS: Final = re.compile(
+    r"\b(?:sew|sewn|attach|stitch(?!es)|pin|position|place|secure|whip ?stitch|tack|seam|glue|add|fasten(?! off)|join|tie|put|slip|insert)(?:s|d|ed|ing)?\b"
+)
+_BOTH: Final = re.compile(r"\b(?:join(?:s|ed|ing)?|unsewn|both (?:layers|thicknesses)|through)\b")
+"""Words that put a part on another, or work it there."""
 _ABOVE: Final = 160
 """So many letters before a round that joins two pieces name them."""
 
@@ -44,6 +52,34 @@ def onto(book: Book, record: Finish) -> bool:
         and any(meet(p.span, line) and names <= _named(book, line) for line in rounds)
         for p in told
     )
+
+
+def spoken_for(book: Book, record: Finish) -> str:
+    """Where a sentence of hers puts or works a part somewhere that no record of ours came of, that sentence; "" where her text is silent."""
+    if book.hers is None or not isinstance(record, Placed) or book.words_of(record):
+        return ""
+    built = book.piece.built
+    pattern, spots = built.pattern, book.taken.spots.parts
+    mine, host = (pattern.parts[built.parts[spots[name]].section] for name in (record.part, record.spot.part))
+    noun, onto_ = (
+        one(re.sub(r"_\d+$", "", part.name).split()[-1].lower()) if part.name else "" for part in (mine, host)
+    )
+    heads = [at for part in pattern.parts for at in (part.span, *part.also)]
+    below = min((at.start for at in heads if at.start > mine.span.start), default=len(pattern.text.text))
+    for m in _PIECE.finditer(pattern.text.text):
+        if any(meet(Span(*m.span()), at) for at in heads):
+            continue
+        low = english(m[0], pattern.terms).text.lower()
+        verb = _JOINS.search(low)
+        if verb is None:
+            continue
+        words = {one(word) for word in _LETTERS.findall(low)}
+        to = TO.search(low, verb.end())
+        put = low if _BOTH.search(low) else low[verb.end() : to.start() if to is not None else len(low)]
+        near = mine.span.start - _ABOVE <= m.start() < below
+        if (noun and noun in {one(word) for word in _LETTERS.findall(put)}) or (onto_ and near and onto_ in words):
+            return " ".join(m[0].split()).rstrip(".") + "."
+    return ""
 
 
 def says_way(book: Book, section: int) -> bool:

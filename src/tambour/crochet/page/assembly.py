@@ -15,7 +15,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.angle import angle, called
-from tambour.crochet.page.answered import onto
+from tambour.crochet.page.answered import onto, spoken_for
 from tambour.crochet.page.begin import paragraph, photo
 from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
 from tambour.crochet.page.care import care_room
@@ -92,6 +92,7 @@ def guesses(book: Book) -> list[tuple[str, list[str]]]:
     made = list[tuple[str, list[str]]]()
     for step in steps(book.piece):
         ours = [n for n in step.records if not book.words_of(finish[n]) and not onto(book, finish[n])]
+        ours = [n for n in ours if not spoken_for(book, finish[n])]
         if ours and not _eyes_only(book, step):
             said = [*map(book.called, book.spoken([finish[n] for n in ours]))]
             made += [(words, []) for words in said[:-1]]
@@ -290,10 +291,12 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
                 more = book.hers.beside.get(place, []) if book.hers is not None else []
                 made[i] += book.hers.ahead.get(place, []) if book.hers is not None else []
                 made[i].append(" ".join([words, *more]))
-        ours = [r for r in records if r not in own and not onto(book, r)]
+        hers = {k: words for k, r in enumerate(records) if not onto(book, r) and (words := spoken_for(book, r))}
+        made[i] += [words for words in dict.fromkeys(hers.values()) if words not in made[i]]
+        ours = [r for k, r in enumerate(records) if r not in own and k not in hers and not onto(book, r)]
         made[i] += map(book.called, book.spoken(ours))
         for record in records:
-            if isinstance(record, Placed) and record not in own and record not in ours:
+            if isinstance(record, Placed) and onto(book, record):
                 name, host = (one.rpartition(".")[0] or one for one in (record.part, record.spot.part))
                 words = book.called(book.own["worked onto"].format(part=name, onto=host))
                 made[i] += [words] if words not in made[i] else []

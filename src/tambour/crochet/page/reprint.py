@@ -61,7 +61,8 @@ def _part(book: Book, part: PartText) -> PartText:
         before[k] = before[k] or (rows[k].ours and before[k - 1])  # with what is ours about a sentence
     above = [row for k, row in enumerate(rows) if k >= first and before[k]]  # the heading, and her sentences below it
     rows = [replace(r, words=r.words.strip("*")) if noted(r) else r for r in rows if r not in above]
-    return replace(part, lines=tuple(rows), above=tuple(f"› {r.words}" if r.ours else r.words for r in above))
+    said = "\0".join(f"  \n› {r.words}" if r.ours else r.words for r in above).replace("\0  \n", "  \n")
+    return replace(part, lines=tuple(rows), above=tuple(said.split("\0")) if said else ())
 
 
 def _joining(book: Book, parts: tuple[PartText, ...]) -> tuple[tuple[PartText, ...], list[tuple[int, str]]]:
