@@ -16,6 +16,7 @@ from tambour.crochet.printed.asides import penned
 from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.otherwise import all_around, all_times, later, makes_all, run_on, singly
 from tambour.crochet.printed.ovals import both_sides
 from tambour.crochet.printed.phrasing import shortened
 from tambour.crochet.printed.reader import Body
@@ -159,7 +160,7 @@ def decided(
         and edge
         and chain is None
         and fit(body) < 2
-        and (whole := _all_times(body.items)) is not None
+        and (whole := all_times(body.items)) is not None
     ):
         made = worked(whole, edge, source.stitches)
         if made is not None and made[1] == edge and body.stated in (None, made[0]):
@@ -169,18 +170,28 @@ def decided(
             source.doubt(said, "put what is repeated in brackets", whole[-1].span)
     if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
         for other in (body, *([read(frozenset(("stands",)))] if "stands" in body.asked else [])):
-            run = _run_on(other.items, edge, source.stitches)
+            run = run_on(other.items, edge, source.stitches)
             if run is not None and after(run, edge, source.stitches) == body.stated:
                 body, body.items = other, run
                 source.doubt("the last repeat runs on to where it ends", "say what the last stitches are", run[-1].span)
                 break
         else:
             if wide := next(
-                (w for w in _all_around(body.items) if after(w, edge, source.stitches) == body.stated), None
+                (w for w in all_around(body.items) if after(w, edge, source.stitches) == body.stated), None
             ):
                 body.items = wide
                 said = "all that is said is read as repeated around: the count speaks for it"
                 source.doubt(said, "put what is repeated in brackets", body.items[-1].span)
+            elif late := next((w for w in later(body.items) if makes_all(w, edge, body.stated, source.stitches)), None):
+                body.items = late
+                said = "only the last of what is said is read as repeated: the count speaks for it"
+                source.doubt(said, "put what is repeated in brackets", late[-1].span)
+            elif (single := singly(body.items, source.stitches)) != body.items and makes_all(
+                single, edge, body.stated, source.stitches
+            ):
+                body.items = single
+                said = "several in the next stitch are read as one in each of so many: the count speaks for it"
+                source.doubt(said, "say into how many: 3 sc in next 3 sts", single[-1].span)
     body.fit = fit(body) if body.refers is None else 2
     if body.fit == 2 and body.stated is not None and edge and chain is None:
         body.items = _without_rest(body.items, edge, source.stitches)
@@ -268,31 +279,6 @@ def _leaving(items: list[Item], tokens: list[Token]) -> list[Item]:
     return [*items[:around], replace(group, leaves=many), *items[around + 1 :]]
 
 
-def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item] | None:
-    """``items`` with the beginning of one more repeat where what goes around leaves too few stitches for the whole of it; None where it
-    leaves none."""
-    for k, group in enumerate(items):
-        if not isinstance(group, Group) or group.times is not None:
-            continue
-        before, once = worked(items[:k], edge, stitches), worked(group.items, edge, stitches)
-        if before is None or once is None or not once[1]:
-            return None
-        left = (edge - before[1] - group.leaves) % once[1]
-        more: list[Item] = []
-        for item in group.items:
-            kind = stitches.get(item.name) if isinstance(item, Action) else None
-            fits = left // kind.takes if kind is not None and kind.takes else 0
-            if isinstance(item, Action) and item.name in ("color", "flo", "blo", "bl"):
-                more.append(item)
-                continue
-            if kind is None or not fits or not isinstance(item, Action):
-                break
-            more.append(replace(item, times=min(fits, item.times)))
-            left -= kind.takes * min(fits, item.times)
-        return [*items[: k + 1], *more, *items[k + 1 :]] if more and not left else None
-    return None
-
-
 def _as_rounds(items: list[Item], edge: int) -> tuple[list[Item], tuple[int, Span]] | None:
     """A round of so many plain stitches as lie below, several times, as several of them: "12 sc x 4 (12)"; None for another."""
     lead, rest = led(items)
@@ -303,41 +289,6 @@ def _as_rounds(items: list[Item], edge: int) -> tuple[list[Item], tuple[int, Spa
     if one.name != "sc" or one.times != edge:
         return None
     return [*lead, Group((replace(one, times=1),), None, group.span)], (group.times, group.span)
-
-
-def _all_times(items: list[Item]) -> list[Item] | None:
-    """``items`` with all that stands before the stitch that is worked several times repeated with it, "1 sc, 1 inc x 6" as "(1 sc, 1 inc) x 6";
-    None where nothing does."""
-    lead, rest = led(items)
-    if len(rest) < 2 or not all(isinstance(i, Action) for i in rest[:-1]):
-        return None
-    last = rest[-1]
-    if isinstance(last, Group):
-        one, many = last.items[0] if len(last.items) == 1 else None, last.times
-    else:
-        one, many = replace(last, times=1, times_span=None), last.times
-    if one is None or not many or many < 2:
-        return None
-    return [*lead, Group((*rest[:-1], one), many, last.span)]
-
-
-_INTO_ONE: Final = re.compile(r"inc([3-9]?)")
-
-
-def _all_around(items: list[Item]) -> list[list[Item]]:
-    """``items`` with all that stands before the stitch that goes around repeated with it, "sc 2, dec around" as "(sc 2, dec) around", and
-    "inc, 3 sc around", three of which would be in one stitch, as "(inc, 3 sc) around"; none where nothing stands before it."""
-    lead, rest = led(items)
-    at = next((k for k, i in enumerate(rest) if isinstance(i, Group)), 0)
-    group = rest[at] if at else None
-    plain = isinstance(group, Group) and group.times is None and not group.leaves and len(group.items) == 1
-    if not plain or not isinstance(group, Group) or not all(isinstance(i, Action) for i in rest[:at]):
-        return []
-    last = group.items[0]
-    ways = [last]
-    if isinstance(last, Action) and last.times == 1 and (found := _INTO_ONE.fullmatch(last.name)) is not None:
-        ways.append(replace(last, name="sc", times=int(found[1] or 2)))
-    return [[*lead, replace(group, items=(*rest[:at], way)), *rest[at + 1 :]] for way in ways]
 
 
 def _without_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:

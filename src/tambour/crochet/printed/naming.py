@@ -231,7 +231,10 @@ def made_of(text: str, heading: Heading) -> tuple[int, bool]:
 def _made(words: str | None) -> int:
     """How many "(make 2)", "(make 1 with B and 1 with C)", "(make 2, one in each colour)" are."""
     words = re.sub(r"(?i)\b(?:colou?r|yarn|shade|size|page|diagram|chart|figure|no\.?)\s*#?\d+\b", " ", words or "")
-    said = re.findall(rf"\b({NUMBER})\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", (words or "").lower())
+    words = re.sub(
+        rf"(?i)\b({NUMBER})\s*(?:-|–|to|or)\s*(?:{NUMBER})(?=\s*$|\s+(?:of|in|with|pieces)\b)", r"\1", words
+    )  # "make 5 to 7"
+    said = re.findall(rf"\b({NUMBER})\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", words.lower())
     numbers = [number(w) for w in said]
     # "make 6: 2 each with A, B and C", "make 3 – 1 per rocket", "make 2, 1 in A, 1 in B": the first is the whole.
     parted = re.search(r"^\D*\w+\s*[:–—-]|\b(?:each|per)\b", words or "")

@@ -121,7 +121,7 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     elif (ranks := _RANKS.match(text, name[0].start)) and int(ranks[1]) < int(ranks[2]):
         copies = int(ranks[2]) - int(ranks[1]) + 1  # "2nd to 8th Tentacles"
     of_it = " of " in text[name[0].start : name[-1].end].lower()  # "Ball of yarn"
-    if name[0].word in ("use", "using") or (name[-1].word in _HUED and not of_it):
+    if name[0].word in ("use", "using", "with") or (name[-1].word in _HUED and not of_it):
         return None  # "Use colour of your choice", "LIGHT COLOUR"
     colon = c.mark(":")
     c.at += colon
@@ -284,7 +284,8 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
     begin = c.at
     if c.mark("(", "["):
         end = next((k for k in range(c.at, len(c.tokens)) if c.tokens[k].word in (")", "]")), len(c.tokens) - 1)
-        listed = copies_said(c.tokens[c.at + 1 : end])
+        ranged = c.whole(2) is not None and _ranged(Cursor(c.tokens, c.at + 3))
+        listed = None if ranged else copies_said(c.tokens[c.at + 1 : end])
         if listed is not None:
             c.at = end + 1
             return listed[:2]
@@ -300,6 +301,8 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
         c.at = begin
         return None
     c.at += 1
+    if worded and _ranged(c):
+        c.at += 2  # "(make 5-7)": the fewest that she asks for
     if c.mark("x") or c.key("times", "make") or (c.look() is not None and c.look().word in _PIECES):  # type: ignore[union-attr]
         c.at += 1
         worded = True
@@ -315,6 +318,13 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
         c.at = begin
         return None
     return count, number.span
+
+
+def _ranged(c: Cursor) -> bool:
+    """Whether the larger number of a range stands at the cursor: "-7", "to 7", "or 7", and the range ends there."""
+    low, high, end = c.whole(-1), c.whole(1), c.look(2)
+    parted = (sign := c.look()) is not None and sign.word in ("-", "to", "or")
+    return parted and low is not None and high is not None and low < high and (end is None or end.kind != "stitch")
 
 
 def _counts(c: Cursor, ahead: int) -> bool:

@@ -31,7 +31,7 @@ from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
 from tambour.crochet.printed.redyed import colored, handed_on
 from tambour.crochet.printed.risen import begun, closes, facing, lifted_last, words_of
-from tambour.crochet.printed.slips import joined_last, lowered
+from tambour.crochet.printed.slips import joined_last, joining, lowered
 from tambour.crochet.printed.tokens import Token
 
 _CLOSED = (
@@ -271,6 +271,8 @@ class Draft:
         several = times > 1 or len(numbers) > 1
         later = body.later if several else [one for one in body.later if not closes(one[0])]
         items += [item for item, _ in body.later if not several and closes(item)]
+        if worked and not self.flat:
+            items = joining(items, self.edge, body.stated, source.stitches)
         items, next_hue = handed_on(items) if several else (items, None)
         bare = lifted_last(items, self.edge, body.stated, source.stitches, times) if head is not None else None
         if bare is not None and not closes(bare[-1]):

@@ -9,9 +9,10 @@ from tambour.crochet.language.stitches import STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.counts import makes, slips
 from tambour.crochet.printed.items import closes
-from tambour.crochet.printed.reckoned import after
+from tambour.crochet.printed.reckoned import after, worked
 
 _IDLE = ("color", "flo", "blo", "bl")
+_AFTER = (*_IDLE, "ch", "fo")
 
 
 def lowered(lines: list[Line], edges: dict[int, int], source: Source) -> list[Line]:
@@ -52,6 +53,26 @@ def _low(item: Item, name: str) -> Item:
     if isinstance(item, Group):
         return replace(item, items=tuple(_low(i, name) for i in item.items))
     return replace(item, name=name) if item.name == "slst" else item
+
+
+def joining(items: list[Item], edge: int | None, stated: int | None, stitches: dict[str, Stitch]) -> list[Item]:
+    """``items`` of a round with a join in place of the slip stitch alone that nothing below is left for: "24 sc, sl st, ch 1. [24]".
+
+    edge : stitches below
+    """
+    at = len(items) - 1
+    while at > 0 and isinstance(one := items[at], Action) and one.name in _AFTER:
+        at -= 1
+    slip = items[at] if at > 0 else None
+    if not isinstance(slip, Action) or slip.name != "slst" or slip.times != 1 or not any(map(makes, items[:at])):
+        return items
+    if any(isinstance(i, Action) and i.name == "join" for i in items[:at]):
+        return items  # it goes on from where the round was joined
+    done = worked(items[:at], edge or 0, stitches)
+    ringed = any(isinstance(i, Action) and (i.name == "mr" or i.name.startswith("MR{")) for i in items[:at])
+    if done is None or stated not in (None, done[0]) or not (ringed or done[1] == edge):
+        return items
+    return [*items[:at], Action("join", slip.span), *items[at + 1 :]]
 
 
 def joined_last(lines: list[Line], before: list[Line]) -> list[Line]:

@@ -54,7 +54,7 @@ from tambour.crochet.printed.told import told
 from tambour.crochet.printed.twofold import once
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wools import learned
-from tambour.crochet.printed.wrapping import small, unwrapped
+from tambour.crochet.printed.wrapping import small, torn, unwrapped
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
 
@@ -147,6 +147,7 @@ class State:
         self.rows = once(
             signs(first(numbered(columned(source.text.text, leaves(source.text.text, rows(source.text.text))))))
         )
+        self.rows = torn(source.text.text, self.rows)
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)

@@ -145,7 +145,8 @@ def _hue(aside: list[Token], words: _Words) -> list[Token]:
     plain = [t for t in rest if t.kind == "word" and not any(w.value == "yarn" for w in words.read([t]))]
     if not plain or len(plain) > _LETTERS or any(t.kind == "mark" and t.word != "-" for t in rest):
         return []
-    lettered = len(plain) == 1 and plain[0].capital and len(plain[0].word) <= _LETTERS and len(rest) <= 2
+    letter = plain[0].capital or plain[0].word in ("mc", "cc")  # "main color" is put so
+    lettered = len(plain) == 1 and letter and len(plain[0].word) <= _LETTERS and len(rest) <= 2
     said = " ".join(t.word for t in plain)
     return (
         rest if lettered or shade(said) is not None or said in words.hues or shade(plain[-1].word) is not None else []

@@ -144,7 +144,7 @@ def _copied(made: list[Row], lines: list[Row], row: Row) -> None:
 
 def _unstamped(rows: list[Row]) -> list[Row]:
     """Lines of a film without the times at their beginnings; its list of chapters is none of the text."""
-    stamped = [bool(row.tokens and _STAMP.match(_words(row.tokens[:8]))) for row in rows]
+    stamped = [bool(row.tokens and _timed(row.tokens)) for row in rows]
     if sum(stamped) < _LISTED:
         return rows
     made = []
@@ -159,6 +159,17 @@ def _unstamped(rows: list[Row]) -> list[Row]:
         end = len(_STAMP.match(_words(row.tokens[:8]))[0].split())  # type: ignore[index]
         made.append(replace(row, tokens=[] if beside else row.tokens[end:]))
     return made
+
+
+def _timed(tokens: list[Token]) -> bool:
+    """Whether a line begins with a time, written without blanks and with no stitch behind it: "17:20 the head", but "17: 20sc" is a round."""
+    begun = next((k for k, t in enumerate(tokens) if t.kind == "number"), 0)
+    if not _STAMP.match(_words(tokens[:8])) or len(tokens) < begun + 3:
+        return False
+    hour, colon, minute = tokens[begun : begun + 3]
+    behind = tokens[begun + 3] if len(tokens) > begun + 3 else None
+    counted = behind is not None and behind.start == minute.end and behind.word in _STITCHES
+    return hour.end == colon.start and colon.end == minute.start and not counted
 
 
 def _words(tokens: list[Token]) -> str:

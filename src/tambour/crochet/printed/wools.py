@@ -34,10 +34,17 @@ _LISTED: Final = re.compile(
     re.MULTILINE,
 )
 """A yarn of a list of materials, with how much of it is wanted."""
+_PURPOSES: Final = re.compile(
+    r"\b(?i:(?:change|switch|swap)(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
+    r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b)",
+    re.MULTILINE,
+)
+"""A yarn that is called by what is made of it: "Change to dress color"."""
 _NO_NAME: Final = frozenset(
     """round rnd row right left wrong side yarn color colour main contrast cotton wool acrylic chenille worsted stuffing fiberfill felt floss
     thread hook needle eyes spiral rounds rows magic same other both two double one each all your this that these those another next last
-    remaining back front loop loops long short small large embroidery pattern order tail end ends""".split()
+    remaining back front loop loops long short small large embroidery pattern order tail end ends new first second third fourth desired chosen
+    preferred any original previous current darker lighter dark light bright contrasting matching different choice opposite""".split()
 )
 
 
@@ -53,6 +60,8 @@ def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
         plain = low in shelf or name[0].isupper() or dyed(name) is not None
         if plain and (low not in parts or low in shelf):
             _learn(name, shelf.get(low, ("", ""))[1], palette, vocabulary)
+    for purpose in dict.fromkeys(m[1] for m in _PURPOSES.finditer(text)):
+        _learn(purpose, "", palette, vocabulary)
     for low, (name, also) in shelf.items():
         if _color(name, also) is not None and re.search(
             rf"(?:[(,–-] ?(?:in )?|\b(?:in|with|using|to|join|attach|add|pick up) ){re.escape(low)}\b", text.lower()

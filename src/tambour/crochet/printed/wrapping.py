@@ -32,6 +32,8 @@ _STEP: Final = re.compile(
 )
 """What numbers a step: "Step 2:", "(3)", "#4", "2." on a line of its own."""
 _ROUND: Final = re.compile(r"[ \t]*(?:rnd|round|row|rd|r)[ \t]*(\d{1,3})[ \t]*[.:)]", re.IGNORECASE)
+_COUNTING: Final = re.compile(r"[ \t]*(\d{1,3})(?:[ \t]*[-–—/][ \t]*(\d{1,3}))?[ \t]*[.:)](?![.\d])")
+"""A line with a number of its own, or of several rounds: "15-18. 12 sc"."""
 _LABEL: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}(?:\([^()]{0,20}\)[ ]?)?:")
 _TITLE: Final = re.compile(r"[A-Z][^.:,;()]{1,40}(?:\([^()]{2,40}\)[ ]?){1,2}[.:]?$")  # "Wings (make 2)"
 _COPIES: Final = re.compile(r"[A-Za-z][\w /&-]{1,40}\((?:make|work) [^()]{1,20}\)")
@@ -40,6 +42,12 @@ _UNENDED: Final = frozenset(
 )
 """Words that no sentence ends with, and the next line goes on from in small letters."""
 _SHORT: Final = 6  # words of a heading
+_ALONE: Final = re.compile(
+    r"[ \t]*(?:rnd|round|row|rd|r)s?[ \t]*\d+(?:[ \t]*[-–][ \t]*\d+)?[ \t]*[:.)]+[ \t]*\w+[ \t]*", re.IGNORECASE
+)
+_LABELS: Final = frozenset(("rnd", "round", "row", "rnds", "rounds", "rows"))
+_STITCHES: Final = frozenset("sc hdc dc tr ch inc dec st sts stitch stitches slst sl".split())
+_BEHIND: Final = frozenset(("in", "into", "next", "each", "around", "from", "together"))
 
 
 def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], bool]) -> list[Row]:
@@ -55,8 +63,16 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
     whole = _column(lengths, cut)
     own = small(text, rows)
     made: list[Row] = []
+    reached = 0  # the number of the last line that bears the next one
     for at, row in enumerate(rows):
         above = rows[at - 1] if at else row
+        counted = _COUNTING.match(text, row.start, row.end) if row.tokens else None
+        if counted is not None and int(counted[1]) in (1, reached + 1):
+            follows = int(counted[1]) == reached + 1
+            reached = int(counted[2] or counted[1])
+            if follows:
+                made.append(row)
+                continue
         if not (made and row.tokens and above.tokens) or row.marked or above.marked:
             made.append(row)
             continue
@@ -91,6 +107,31 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
         made[-1] = Row([*last.tokens, *more], last.start, row.end, last.marked)
     return made
+
+
+def torn(text: str, rows: list[Row]) -> list[Row]:
+    """``rows`` with the heads of rounds that stand alone, or with one word behind them, together with what they head, as pages have it that were
+    copied from a narrow column: "Rnd 3: 1 | hdc in next st, 2 hdc in next st, repeat to | end (18)"."""
+    made: list[Row] = []
+    for at, row in enumerate(rows):
+        above = rows[at - 1] if at else row
+        if made and row.tokens and above.tokens and not (row.marked or above.marked) and _breaks(text, above, row):
+            made[-1] = Row([*made[-1].tokens, *row.tokens], made[-1].start, row.end)
+        else:
+            made.append(row)
+    return made
+
+
+def _breaks(text: str, above: Row, row: Row) -> bool:
+    """Whether a line is the head of a round, and at most a word that ``row`` goes on from."""
+    last, first = above.tokens[-1], row.tokens[0]
+    if len(above.tokens) == 1:
+        return last.word in _LABELS and first.kind == "number"  # "Rnd | 27-29: hdc in each st"
+    if not _ALONE.fullmatch(text[above.start : above.end]):
+        return False
+    if last.kind == "number":
+        return first.word in _STITCHES and not first.capital
+    return last.word in _STITCHES and first.word in _BEHIND
 
 
 def step(text: str, row: Row) -> int:

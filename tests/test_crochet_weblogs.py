@@ -1,0 +1,114 @@
+"""How patterns stand on weblogs: bare slip stitches, numbers alone, narrow columns, yarns called by what is made of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.tree import Action, Pattern
+from tambour.crochet.printed.choose import account, read
+
+
+def pattern(words: str) -> Pattern:
+    return read(Text(words, "page.txt"))
+
+
+def counts(words: str) -> list[int]:
+    """The stitches of each round as they are worked, of a text that nothing is wrong with."""
+    found = pattern(words)
+    built = build(found)
+    assert not [p.message for p in built.warnings if "the pattern says" in p.message]
+    assert not account(found).get("not_understood")
+    return [w.made for w in built.worked if w.line.in_round]
+
+
+@pytest.mark.parametrize("end", ["sl st, ch 1", "1 ss, 1 ch", "slst/ch 1", "sl st", "sl st, fasten off"])
+def test_a_slip_stitch_that_nothing_is_left_for_joins(end: str) -> None:
+    found = pattern(
+        f"Bowl\nR1: 7 sc in magic ring, {end} [7]\nR2: 2 sc in each st, {end} [14]\nR3-5: 14 sc, {end} [14]\nR6: (sc, inc) * 7, {end} [21]\n"
+    )
+    built = build(found)
+    assert [w.made for w in built.worked if w.line.in_round] == [7, 14, 14, 14, 14, 21]
+    assert not [p for p in built.warnings if "the pattern says" in p.message or "this round needs" in p.message]
+    for line in found.parts[0].lines:
+        if line.in_round:
+            assert any(isinstance(i, Action) and i.name == "join" for i in line.items)
+
+
+def test_a_slip_stitch_that_a_stitch_is_left_for_is_worked_into_it() -> None:
+    found = pattern(
+        "Bowl\nR1: 6 sc in magic ring (6)\nR2: 2 sc in each st (12)\nR3: 11 sc, sl st (12)\nR4: 12 sc (12)\n"
+    )
+    names = [i.name for i in found.parts[0].lines[2].items if isinstance(i, Action)]
+    assert "join" not in names
+
+
+def test_numbers_of_rounds_are_no_times_of_a_film() -> None:
+    rounds = "1: 6sc in mr (6)\n2: 6inc (12)\n3: (1sc,1inc)*6 (18)\n4: (2sc,1inc)*6 (24)\n"
+    more = "5: 24sc (24)\n6: 12sc,(1sc,1inc)*6 (30)\n7: 10sc,(2sc,1inc)*5,5sc (35)\n8: 15sc,20sc (35)\n"
+    assert counts("HEAD\n" + rounds + more) == [6, 12, 18, 24, 24, 30, 35, 35]
+
+
+def test_lines_that_count_on_are_none_of_the_line_above() -> None:
+    words = (
+        "Sleeves (make 2)\nbegin with skin color\n1. 6 sc in MR. (6)\n2. 6 inc. (12)\n3-9. 12 sc even (12)\nChange to jacket color\n"
+        "10-13. 12 sc even (12)\n14. Dec, 10 sc (11)\n15. 5 sc, dec, 4 sc (10)\n16. 10 sc even (10)\nFO\n"
+    )
+    assert counts(words)[:13] == [6, 12, *[12] * 11]
+    assert counts(words)[13:16] == [11, 10, 10]
+
+
+def test_a_yarn_is_called_by_what_is_made_of_it() -> None:
+    found = pattern("Sleeve\n1. 6 sc in MR. (6)\n2. 6 inc. (12)\nChange to jacket color\n3-5. 12 sc (12)\n")
+    worn = [
+        i.numbers for line in found.parts[0].lines for i in line.items if isinstance(i, Action) and i.name == "color"
+    ]
+    assert len(worn) == 1
+    assert any("Jacket" in p.message and "our choice" in p.message for p in found.warnings)
+
+
+def test_rounds_of_a_narrow_column_are_put_together() -> None:
+    words = (
+        "Mouse Body\nRnd 1: ch\n2, 6 hdc in second ch from hook\nRnd 2: 2\nhdc in each st (12)\nRnd 3: 1\nhdc in next st, 2 hdc in next st, repeat to end(18)\n"
+        "Rnd 4: hdc\nnext 4 st’s, 2 hdc in next st, hdc in next 8 st’s, 2 hdc in\nnext st, hdc In next 4 st’s (20)\nRnd\n5-7: hdc in each st\n"
+        "Rnd 8: hdc\nIn next 8 st’s, dec In next st, hdc in next 8 st’s\n(18)\n"
+    )
+    found = pattern(words)
+    assert [(line.number, line.times) for line in found.parts[0].lines if line.in_round] == [
+        (1, 1), (2, 1), (3, 1), (4, 1), (5, 3), (8, 1),
+    ]  # fmt: skip
+    assert not account(found).get("not_understood")
+    assert [w.made for w in build(found).worked][:7] == [6, 12, 18, 20, 20, 20, 20]
+
+
+def test_several_in_the_next_are_one_in_each_of_so_many_where_the_count_says_so() -> None:
+    words = "Ball\nRnd 1: 6 sc in ring (6)\nRnd 2: 2 sc in each st (12)\nRnd 3: 1 sc in next st, 2 sc in next st, repeat to end (18)\nRnd 4: 2 sc in next st, 2 sc in next st, repeat to end (24)\nRnd 5: 3 sc in next st, 2 sc in next st, repeat to end (30)\n"
+    assert counts(words) == [6, 12, 18, 24, 30]
+    assert sum("one in each of so many" in p.message for p in pattern(words).warnings) == 2
+
+
+def test_only_the_last_of_what_is_said_is_repeated_where_the_count_says_so() -> None:
+    words = "Ball\nRnd 1: 6 sc in ring (6)\nRnd 2: 2 sc in each st (12)\nRnd 3: 2 sc in each st (24)\nRnd 4: sc in next 8 sts, 2 sc in next st, sc in next 2 sts, rep 3 times, sc in next 7 sts (27)\n"
+    assert counts(words) == [6, 12, 24, 27]
+    assert any("only the last of what is said" in p.message for p in pattern(words).warnings)
+
+
+@pytest.mark.parametrize(
+    "first", ["ch 8, 6 sc, [4 sc], 5 sc, inc, sl st = 17", "ch 8, sk 1, 6 sc, 4 sc in last, 5 sc, inc (17)"]
+)
+def test_an_oval_says_its_turn_in_brackets(first: str) -> None:
+    assert counts(f"Sole\nR1: {first}\nR2: 17 sc (17)\n")[-2:] == [17, 17]
+
+
+@pytest.mark.parametrize("many", ["Make 5-7", "make 5 to 7", "make 5 or 6"])
+def test_the_fewest_of_a_range_of_copies_are_made(many: str) -> None:
+    body = "Body\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\nRnd 3: sc around (12)\n\n"
+    found = pattern(f"{body}Spikes ({many})\nRnd 1: 4 sc in magic ring (4)\nRnd 2: sc around (4)\n")
+    assert [(p.name, p.copies) for p in found.parts] == [("Body", 1), ("Spikes", 5)]
+
+
+def test_a_heading_with_the_main_color_keeps_its_name() -> None:
+    body = "Body\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\n\n"
+    found = pattern(f"{body}Arms (make two with main color)\nRnd 1: 4 sc in magic ring (4)\nRnd 2: sc around (4)\n")
+    assert [(p.name, p.copies) for p in found.parts] == [("Body", 1), ("Arms", 2)]
