@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.graph.built import NOTHING
 from tambour.crochet.maker.named import rounds_named
-from tambour.crochet.maker.sure import as_far, contradicts, hers_too, puts_eyes, sides, whole
+from tambour.crochet.maker.sure import about_axis, as_far, contradicts, hers_too, puts_eyes, sides, whole
 from tambour.crochet.page.among import _spoken
 from tambour.crochet.page.instructions import plain
 from tambour.crochet.params import CrochetParams
@@ -278,3 +279,17 @@ def test_eyes_are_as_far_apart_as_she_says_or_nothing_is_said(said: str, wide: f
 )
 def test_round_0_is_nobodys(said: str, known: bool) -> None:
     assert whole(said) is known
+
+
+@pytest.mark.parametrize(
+    ("offs", "round_it"), [((9.0, 10.0, 11.0, -11.0, -10.0, -9.0), False), ((-9.0, -4.0, 0.0, 4.0, 9.0), True)]
+)
+def test_a_tail_behind_does_not_go_round_its_body(offs: tuple[float, ...], round_it: bool) -> None:
+    assert about_axis(np.array(offs), 24) is round_it
+
+
+def test_a_ring_that_only_chains_follow_is_settled() -> None:
+    """It ended in a traceback: chains lift a round that does not come, and no round was left."""
+    text = f"Bo\n\n{HEAD}\nTIES\nMake an adjustable ring. [Ch 7, sc in ring] 3 times, ch 20.\nFasten off.\n"
+    piece = make(Text(text, "bo.txt"), CrochetParams(), Progress())
+    assert np.isfinite(piece.positions).all()

@@ -87,7 +87,11 @@ def pointing(named: frozenset[str], ways: Sequence[str]) -> bool:
 
 def about_axis(offs: Array, count: int) -> bool:
     """Whether a seam goes round the part that it is on: so many stitches from the middle, on rounds of ``count``."""
-    return count > 0 and len(offs) > 2 and float(offs.max() - offs.min()) >= _ROUND * count
+    if count <= 0 or len(offs) < 3:
+        return False
+    at = np.sort(offs % count)
+    bare = np.diff(np.append(at, at[0] + count)).max()  # what it leaves free of the round, also behind
+    return bool(count - bare >= _ROUND * count)
 
 
 def gap_on(level: float, seams: Sequence[Array]) -> int:

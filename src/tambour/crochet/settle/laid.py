@@ -227,6 +227,8 @@ def _flat(graph: StitchGraph, start: int, end: int) -> int:
     begin, size = begin + chains, size - chains
     if size[-1] == 0 and len(size) > 1:  # chains after the last join, for a round that does not come
         begin, size, end = begin[:-1], size[:-1], int(own[0] + stop[-2])
+    if not size[0]:
+        return start  # chains alone are no base
     edge = np.isin(graph.peculiarity[own], (BLO, FLO))
     through = graph.edge_kind == THROUGH
     high = np.zeros(len(graph))
