@@ -550,6 +550,9 @@ def test_cut_ends_of_fur_open_into_locks_where_they_are_seen_near() -> None:
     hairy = np.flatnonzero(graph.kind == graph.kinds.index("fur"))
     left, locks = frayed(yarn, graph)
     assert len(locks.color) == 4 * len(hairy) * LOCKS  # two loops, each cut in two
+    # Each runs out into a point: as thick at its end as where it begins, fringe was rods.
+    ends = np.asarray(locks.paths.offsets)
+    assert (locks.radius[ends[1:] - 1] < 0.4 * locks.radius[ends[:-1]]).all()
     assert locks.radius.max() < 1.2 * THIN * np.median(yarn.radius)
     assert locks.paths.coords[:, 1].min() < left.paths.coords[np.isin(left.point_data["stitch"], hairy), 1].min()
     assert len(left.color) == len(yarn.color) and len(left.paths.coords) < len(yarn.paths.coords)

@@ -14,7 +14,7 @@ from tambour.core.arrays import F4x2, F4x3, F8x1, F8x2, F8x3, I4x1, I4x2
 from tambour.core.kernels import kernel
 from tambour.noise import uniform
 from tambour.render.light import seen
-from tambour.render.shade import DYED, FINE, HAIRS, PLIES, REACH, TILES
+from tambour.render.shade import DYED, FINE, HAIRS, PLIES, REACH, THICK, TILES
 
 MOST = 0.5
 """Hairs per pixel of a surface at the most: beyond, each stands for several and is as much thicker."""
@@ -53,7 +53,6 @@ def hairs(
     uv: F8x2,
     material: I4x1,
     table: F8x2,
-    radius: float,
     eye: F8x1,
     axes: F8x2,
     scale: float,
@@ -68,7 +67,7 @@ def hairs(
     """Draw hairs over ``out`` (H, W, 4) float32, light times coverage and coverage; returns how many.
 
     samples, near, x, y, z, vertices, normals, faces, color, uv, material, table, eye, axes, scale, direction … depth : as for
-    :func:`tambour.render.shade.shade`; radius : of the strands, mm; stride : every so manieth light is asked for each hair
+    :func:`tambour.render.shade.shade`; stride : every so manieth light is asked for each hair
     """
     height, width = out.shape[0], out.shape[1]
     lights = len(direction)
@@ -84,8 +83,8 @@ def hairs(
     )
     for f in range(len(faces)):
         m = material[f]
-        wanted = table[m, HAIRS]
-        if wanted <= 0.0:
+        wanted, radius = table[m, HAIRS], table[m, THICK]
+        if wanted <= 0.0 or radius <= 0.0:
             continue
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         ax, ay, bx, by, cx, cy = x[a], y[a], x[b], y[b], x[c], y[c]

@@ -28,7 +28,7 @@ from tambour.render.tables import PLANK, TABLES, tile
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine; tiles (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.022, 44.0, 0.85, 0.0100, 1.0),
+    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.28, 0.022, 44.0, 0.85, 0.0100, 1.0),
     "cotton": (0.3, 0.22, 0.08, 14.0, 4.0, 0.34, 0.014, 18.0, 0.5, 0.0085, 0.8),
     "acrylic": (0.45, 0.32, 0.04, 18.0, 4.0, 0.34, 0.02, 48.0, 0.8, 0.0095, 1.0),
     "chenille": (0.8, 0.6, 0.0, 1.0, 0.0, 0.0, 0.02, 700.0, 0.92, 0.013, 8.0),
@@ -177,7 +177,8 @@ def shot(
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
     surfaces = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
     group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
-    thick = radius(mesh)
+    thick = radii(mesh)
+    surfaces = np.column_stack([surfaces, thick])
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     color = palette[color]
@@ -213,17 +214,17 @@ def shot(
         lit.depth,
         fibres(),
         tones(),
-        # The strands' radius in samples, in the middle of the picture.
-        thick * camera.scale * samples * float(np.median(z)) if len(z) else 0.0,
+        # Samples to a mm, in the middle of the picture.
+        camera.scale * samples * float(np.median(z)) if len(z) else 0.0,
     )
     out = np.zeros((height, width, 4), np.float32)
     # Rows are dealt out in bands; every band writes its own, so their number changes no byte.
     edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()
     with ThreadPoolExecutor(threads) as pool_of:
         list(pool_of.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
-    if thick > 0.0 and surfaces[:, HAIRS].any():
+    if (thick > 0.0).any() and surfaces[:, HAIRS].any():
         hairs(
-            out, samples, near, x, y, z, mesh.vertices, normals, mesh.faces, color, uv, group, surfaces, thick, *view,
+            out, samples, near, x, y, z, mesh.vertices, normals, mesh.faces, color, uv, group, surfaces, *view,
             lit.direction, lit.weight, lit.axes, lit.origin, lit.texel, lit.depth, max(1, len(lit.direction) // 20),
         )  # fmt: skip
     focus = 0.5 * (points.min(0) + points.max(0)) - 0.25 * large * camera.axes[2]
@@ -247,11 +248,24 @@ def shot(
     return Shot(out, room, near, camera, large)
 
 
-def radius(mesh: Mesh) -> float:
-    """Median radius of a mesh's tubes, mm: 1 / (2π |∇v|) over its faces with uv; 0 where there are none."""
+def radii(mesh: Mesh) -> Array:
+    """Median radius (G,) of the tubes of each of a mesh's groups, mm: 1 / (2π |∇v|) over its faces with uv; of all where a group has none, 0 where all have.
+
+    Of all together the many thin strands of cut fur would be the measure of the yarn that they hang from.
+    """
+    groups = max(1, len(mesh.group_names))
     if mesh.uv is None or not len(mesh.faces):
+        return np.zeros(groups)
+    group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
+    every = [_radius(mesh, np.flatnonzero(group == k)) for k in range(groups)]
+    return np.where(np.array(every) > 0.0, every, _radius(mesh, np.arange(len(mesh.faces))))
+
+
+def _radius(mesh: Mesh, own: Array) -> float:
+    """Median radius of a mesh's tubes of the faces ``own``, mm; 0 of none."""
+    some = mesh.faces[own[:: max(1, len(own) // 4000)]]
+    if mesh.uv is None or not len(some):
         return 0.0
-    some = mesh.faces[:: max(1, len(mesh.faces) // 4000)]
     a, b, c = (mesh.vertices[some[:, k]] for k in range(3))
     dv = mesh.uv[some, 1] - mesh.uv[some[:, :1], 1]
     dv = dv - np.floor(dv + 0.5)

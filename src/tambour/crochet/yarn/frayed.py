@@ -15,13 +15,13 @@ from tambour.core.strands import Strands
 from tambour.geometry.motion import length
 from tambour.noise import stream
 
-LOCKS: Final = 15
-"""Strands that a cut end opens into."""
-THIN: Final = 0.23
+LOCKS: Final = 28
+"""Strands that a cut end opens into: fifteen, each half as thick again and as thick at its end, were rods."""
+THIN: Final = 0.155
 """Radius of each, as a share of the yarn's."""
 KEPT: Final = 3
 """Points of the yarn that are left as they are where it comes out of the fabric: from there on it opens."""
-SPREAD: Final = 2.2, 5.4
+SPREAD: Final = 3.2, 8.0
 """How far from the middle a strand lies where the yarn opens and at its end, in its own radii."""
 ASIDE: Final = 0.15
 """How far the end of each goes its own way at the most, as a share of its length."""
@@ -61,7 +61,7 @@ def frayed(made: Strands, graph: StitchGraph) -> tuple[Strands, Strands]:
             colors += [made.color[k]] * LOCKS
     paths = Paths.of(lines, 3)
     thin = (
-        np.concatenate([full * THIN * np.linspace(1.0, 0.5, len(line)) ** 0.5 for line in lines])
+        np.concatenate([full * THIN * np.linspace(1.0, 0.08, len(line)) ** 0.5 for line in lines])
         if lines
         else np.zeros(0)
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import sqrt
 from typing import Final
 
@@ -22,6 +23,8 @@ FULLER: Final = 1.2
 """So many times as thick grows at the most, to its free sides, what is pressed from others: yarn is not lost."""
 KEPT: Final = 0.95
 """What of its section yarn keeps, where it may: a little air is pressed out of it."""
+SHARED: Final = 3
+"""How often what is pressed is shared with what lies beside it."""
 POINTS: Final = 1 << 12
 """Points that are pressed at once."""
 
@@ -122,8 +125,8 @@ def _press(
 
 
 @kernel
-def _moved(coords: F8x2, ring: I8x1, sides: int, begin: int, end: int, left: F8x2, vertices: F8x2) -> None:
-    """Move the vertices of the rings of points ``begin`` to ``end`` in by ``left``, shared with their neighbours, none further out than it is left.
+def _shared(ring: I8x1, sides: int, begin: int, end: int, least: F8x2, left: F8x2, shared: F8x2) -> None:
+    """Fill ``shared`` for points ``begin`` to ``end``: what is ``left`` (P, sides) of each corner, shared with its neighbours, none more than ``least``.
 
     What is soft has no dent with an edge; and what gives way beside a dent goes in, so that nothing comes out into another strand.
     """
@@ -134,14 +137,27 @@ def _moved(coords: F8x2, ring: I8x1, sides: int, begin: int, end: int, left: F8x
         after = i + 1 if i + 1 < len(ring) and ring[i + 1] - ring[i] == sides else i
         for k in range(sides):
             a, b = (k + sides - 1) % sides, (k + 1) % sides
-            share_of = (
+            mean = (
                 0.25 * (left[before, k] + left[after, k] + left[i, a] + left[i, b])
                 + 0.125 * (left[before, a] + left[before, b] + left[after, a] + left[after, b])
                 + 0.5 * left[i, k]
             ) / 2.0
-            share_of = min(share_of, left[i, k])
+            shared[i, k] = min(mean, least[i, k])
+
+
+@kernel
+def _moved(coords: F8x2, ring: I8x1, sides: int, begin: int, end: int, left: F8x2, vertices: F8x2) -> None:
+    """Move the vertices of the rings of points ``begin`` to ``end`` in by ``left``."""
+    for i in range(begin, end):
+        if ring[i] < 0:
+            continue
+        for k in range(sides):
             for c in range(3):
-                vertices[ring[i] + k, c] = coords[i, c] + share_of * (vertices[ring[i] + k, c] - coords[i, c])
+                vertices[ring[i] + k, c] = coords[i, c] + left[i, k] * (vertices[ring[i] + k, c] - coords[i, c])
+
+
+def _over(ring: Array, sides: int, least: Array, left: Array, shared: Array, begin: int, end: int) -> None:
+    _shared(ring, sides, begin, end, least, left, shared)
 
 
 def pressed(made: Strands, vertices: Array, sides: int, along: float, ridge: float = 1.0) -> Array:
@@ -168,5 +184,9 @@ def pressed(made: Strands, vertices: Array, sides: int, along: float, ridge: flo
         POINTS,
         lambda a, b: _press(coords, made.radius, ring, first, beside, sides, ridge, a, b, out, left),
     )
+    least = left.copy()
+    for _ in range(SHARED):
+        last = left.copy()
+        share(len(coords), POINTS, partial(_over, ring, sides, least, last, left))
     share(len(coords), POINTS, lambda a, b: _moved(coords, ring, sides, a, b, left, out))
     return out
