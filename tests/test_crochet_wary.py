@@ -12,7 +12,17 @@ from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.graph.built import NOTHING
 from tambour.crochet.maker.named import rounds_named
-from tambour.crochet.maker.sure import about_axis, as_far, contradicts, hers_too, puts_eyes, sides, whole
+from tambour.crochet.maker.sure import (
+    about_axis,
+    as_far,
+    contradicts,
+    hers_too,
+    of_two,
+    pointing,
+    puts_eyes,
+    sides,
+    whole,
+)
 from tambour.crochet.page.among import _spoken
 from tambour.crochet.page.instructions import plain
 from tambour.crochet.params import CrochetParams
@@ -214,7 +224,7 @@ def test_a_place_of_ours_that_hers_does_not_bear_out_is_known(
 
 def test_of_what_is_sewn_together_no_place_is_told() -> None:
     said = ours(f"{BEAR}Fasten off.\n{LEG}\nASSEMBLY\nSew the legs tog along their edges and onto the head.\n")
-    assert not [words for words in said if re.search(r"\bround \d", words)]
+    assert not [words for words in said if re.search(r"\bround \d|sewn on", words)]
 
 
 def test_a_seam_round_the_crown_is_at_no_side_of_it() -> None:
@@ -293,3 +303,26 @@ def test_a_ring_that_only_chains_follow_is_settled() -> None:
     text = f"Bo\n\n{HEAD}\nTIES\nMake an adjustable ring. [Ch 7, sc in ring] 3 times, ch 20.\nFasten off.\n"
     piece = make(Text(text, "bo.txt"), CrochetParams(), Progress())
     assert np.isfinite(piece.positions).all()
+
+
+def test_the_nose_that_something_points_towards_is_not_embroidered() -> None:
+    said = "Using yarn ends, with the open ends facing up towards the nose of the Bear, sew legs evenly spaced around round 6 of head, in back stitch."
+    finish = read(Text(f"{BEAR}Fasten off.\n{LEG}\nASSEMBLY\n{said}\n", "bear.txt")).finish
+    assert {type(record).__name__ for record in finish} == {"Placed"}
+
+
+def test_a_knot_is_told_alone_only_where_it_is_alone() -> None:
+    assert of_two("Embroider 2 French knots on either side of nose.", "us") and not of_two(
+        "Embroider a French knot.", "us"
+    )
+
+
+def test_eyes_are_told_by_all_of_their_sentence() -> None:
+    text = f'{BEAR}Fasten off.\n\nFINISHING\nPlace safety eyes between 5th and 6th rnds, spaced 4" [10 cm] apart as shown.\n'
+    assert not [words for words in ours(text) if words.startswith("› Each")]
+    assert [words for words in ours(text.replace('spaced 4" [10 cm]', "6 sts")) if words.startswith("› Each")]
+
+
+def test_a_part_points_where_a_side_that_she_names_lets_it() -> None:
+    assert pointing(frozenset(("top",)), ["outwards", "upwards"]) and pointing(frozenset(), ["backwards"])
+    assert not pointing(frozenset(("top",)), ["backwards"])

@@ -13,7 +13,7 @@ from tambour.crochet.finish.features import placed
 from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT, extent
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import Embroidery
-from tambour.crochet.maker.sure import hers_too
+from tambour.crochet.maker.sure import hers_too, of_two
 
 if TYPE_CHECKING:
     from tambour.crochet.maker.taken import Taken
@@ -62,7 +62,7 @@ def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
     b = a + many - 1
     if len(known) == 1:
         stitch = first.spots[0].stitch
-        if stitch is None:
+        if stitch is None or of_two(taken.words(first), taken.built.pattern.terms):
             return []
         return [own["took knot row" if rows else "took knot"].format(a=round(rounds[0]), b=round(stitch))]
     over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)

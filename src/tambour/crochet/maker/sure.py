@@ -38,6 +38,8 @@ _APART: Final = re.compile(
     r"(\d+(?:\.\d+)?)\s*(cm|inch(?:es)?|in|[\"”])[^.;\d]{0,12}(?:[\[(][^\])]*[\])]\s*)?\bapart\b"
 )
 _MISSED: Final = 0.5
+_END: Final = re.compile(r"[.;!?](?=\s)|\n|$")
+_TWO: Final = re.compile(r"\b(?:2|two|both|either side|each side)\b")
 _EYES: Final = re.compile(
     r"\b(?:put|insert|attach|sew|place|add|secure|fix|glue|position|pop|snap|install|push|use|embroider|make)\w*\b[^.;]{0,45}\beyes?\b"
     r"|\beyes?\b[^.;]{0,25}\b(?:are|go|goes|between|at|in|on|into|to)\b|\bfor (?:the )?eyes\b"
@@ -82,7 +84,7 @@ def contradicts(named: frozenset[str], share: float, lies: bool) -> bool:
 def pointing(named: frozenset[str], ways: Sequence[str]) -> bool:
     """Whether it may be said where a part points: as the sides that she names, if she names any, would have it."""
     asked = [_POINTS[side] for side in named]
-    return not asked or any(way in asked for way in ways[:1])
+    return not asked or any(way in asked for way in ways)
 
 
 def about_axis(offs: Array, count: int) -> bool:
@@ -110,6 +112,17 @@ def level_named(hers: tuple[int, ...], level: int) -> int:
 def joined(sentence: str, code: str) -> bool:
     """Whether a sentence sews pieces together edge to edge, where none is put on another, or only tells how all is made: "worked separately"."""
     return _TOGETHER.search(english(sentence, code).text.lower()) is not None
+
+
+def of_two(sentence: str, code: str) -> bool:
+    """Whether a sentence speaks of two things, or of one on either side: where one is alone, the other was not heard."""
+    return _TWO.search(english(sentence, code).text.lower()) is not None
+
+
+def to_its_end(text: str, begin: int, end: int) -> str:
+    """A sentence to its end, where a record came of its beginning; "" for a record of none."""
+    found = _END.search(text, end)
+    return text[begin : end if found is None else found.start()] if end > begin else ""
 
 
 def as_far(sentence: str, wide: float) -> bool:

@@ -129,7 +129,8 @@ class Taken:
     def _eyed(self, eyes: Sequence[Eye]) -> bool:
         """Whether her sentence puts eyes there, on the front of a round that she numbers as we do."""
         pattern, spot = self.built.pattern, eyes[0].spot
-        text = pattern.text.text[eyes[0].span.start : eyes[0].span.end]
+        span = eyes[0].span
+        text = sure.to_its_end(pattern.text.text, span.start, span.end)
         off, count = self.off(spot)
         wide = 2.0 * abs(off) * self.piece.stitch[0]
         if text and not (sure.puts_eyes(text, pattern.terms) and sure.as_far(text, wide)):

@@ -14,6 +14,7 @@ from tambour.crochet.finish.sewing import end_of, shut
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.maker.size import skin
+from tambour.crochet.maker.sure import joined
 from tambour.crochet.page.angle import angle, called
 from tambour.crochet.page.answered import onto, spoken_for
 from tambour.crochet.page.begin import paragraph, photo
@@ -189,6 +190,8 @@ def held(book: Book, numbers: Sequence[int]) -> list[str]:
             continue
         made = ways.setdefault(built.pattern.parts[built.parts[spots.parts[record.part]].section].name, {})
         end = end_of(built, spots, record)
+        if joined(book.words_of(record), built.pattern.terms) and not spots.place(record.spot).opening:
+            continue  # edge to edge, which she says
         if spots.in_rows[spots.parts[record.part]] and not end.laid:
             continue
         open_ = len(spots.sewn_rim(spots.parts[record.part])) > 0
