@@ -236,3 +236,28 @@ def test_building_that_steps_may_not_finish_is_told_before_the_first_of_them() -
         params = CrochetParams(start="one-by-one", solver="steps", steps=steps, wait_steps=100)
         make(text, params, progress)
         assert any("one by one may take" in w.message for w in progress.warnings) == told, steps
+
+
+def test_a_long_wait_is_told_before_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Warnings were printed at the end: who stopped a building after some minutes had never read how long it takes."""
+    from tambour.cli import main
+    from tambour.crochet.finish import shape
+
+    file, heard = tmp_path / "ball.acl", []
+    file.write_text(": MR(6)\n: 6 inc\n")
+    words = ["crochet", str(file), "-o", str(tmp_path / "ball.json")]
+    words += ["--start", "one-by-one", "--solver", "steps", "--steps", "20"]
+    with pytest.raises(SystemExit):
+        main(words)
+    assert capsys.readouterr().err.count("may not be enough") == 1
+
+    def stopped(*_: object) -> None:
+        heard.append(capsys.readouterr().err)
+        raise TambourError("stopped")
+
+    monkeypatch.setattr(shape, "simulate", stopped)
+    with pytest.raises(SystemExit):
+        main(words)
+    assert "20 may not be enough" in heard[0]

@@ -155,7 +155,8 @@ def made_and_told(
         except TambourError as error:
             raise pictured(error, places if places == out else ()) from None
     for problem in progress.warnings:
-        click.echo(str(problem), err=True)
+        if problem not in progress.told:
+            click.echo(str(problem), err=True)
     if not quiet and places == out:  # else standard output is the piece
         summary(made, () if verbose else what.inner, verbose)
     return made
@@ -216,10 +217,13 @@ def _bar(quiet: bool) -> Any:
 
     from tambour.core.progress import Progress
 
+    def tell(problem: Any) -> None:
+        click.echo(str(problem), err=True)
+
     @contextmanager
     def shown() -> Any:
         if quiet or not sys.stderr.isatty():
-            yield Progress()
+            yield Progress(tell=tell)
             return
         from rich.console import Console
         from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
@@ -238,6 +242,6 @@ def _bar(quiet: bool) -> Any:
                 count = f"{done:,} of {total:,}" if total else ""
                 bars.update(task, description=stage, completed=done, total=total or None, count=count)
 
-            yield Progress(show)
+            yield Progress(show, tell=tell)
 
     return shown()

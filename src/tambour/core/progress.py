@@ -24,7 +24,8 @@ class Progress:
     """Handed to every ``make``: names stages, counts, collects warnings.
 
     ``show(stage, done, total)`` is called on every change: a bar in the terminal, nothing in batch. It may raise
-    :class:`Stopped`, which ends the work. ``watch`` is shown what is being made, at most every 16 ms. ``seconds`` holds the time spent in each stage, nested stages taken out of their surroundings.
+    :class:`Stopped`, which ends the work. ``watch`` is shown what is being made, at most every 16 ms. ``tell`` is given
+    what must be known before a long wait (:meth:`ahead`), which ``told`` then holds. ``seconds`` holds the time spent in each stage, nested stages taken out of their surroundings.
 
     >>> progress = Progress()
     >>> with progress.stage("settle"):
@@ -33,13 +34,20 @@ class Progress:
     ['settle']
     """
 
-    def __init__(self, show: Show | None = None, watch: Callable[[Any], None] | None = None) -> None:
+    def __init__(
+        self,
+        show: Show | None = None,
+        watch: Callable[[Any], None] | None = None,
+        tell: Callable[[Problem], None] | None = None,
+    ) -> None:
         self.seconds: dict[str, float] = {}
         self.warnings: list[Problem] = []
         self._show = show or (lambda stage, done, total: None)
         self._open: list[str] = []
         self._since = 0.0
         self._watch = watch
+        self._tell = tell
+        self.told: list[Problem] = []
         self._looked = 0.0
 
     @contextmanager
@@ -89,7 +97,7 @@ class Progress:
         >>> len(progress.copy().warnings)
         1
         """
-        made = Progress(self._show, self._watch)
+        made = Progress(self._show, self._watch, self._tell)
         made.warnings, made.seconds = list(self.warnings), dict(self.seconds)
         return made
 
@@ -106,6 +114,19 @@ class Progress:
         self.warnings.append(
             Problem(problem.message, problem.hint, problem.span, problem.source, problem.where, warning=True)
         )
+
+    def ahead(self, message: str, hint: str = "") -> None:
+        """Warn of what is to be known before a long wait, at once: who stops the work then has read it.
+
+        >>> heard = []
+        >>> Progress(tell=heard.append).ahead("this may take an hour")
+        >>> print(heard[0])
+        warning: this may take an hour
+        """
+        self.warn(message, hint)
+        if self._tell is not None:
+            self.told.append(self.warnings[-1])
+            self._tell(self.warnings[-1])
 
     def _switch(self) -> None:
         now = time.perf_counter()

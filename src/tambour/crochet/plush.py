@@ -181,7 +181,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     start = params.start or built.initializer or "rounds"
     longest = len(built.graph) * params.wait_steps
     if start == "one-by-one" and params.solver == "steps" and params.steps < longest:
-        progress.warn(
+        progress.ahead(
             f"building {len(built.graph)} nodes one by one may take {longest} steps: {params.steps} may not be enough",
             "take more {--steps}, or let fewer {--wait-steps} pass before the next node",
         )
