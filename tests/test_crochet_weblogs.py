@@ -112,3 +112,35 @@ def test_a_heading_with_the_main_color_keeps_its_name() -> None:
     body = "Body\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\n\n"
     found = pattern(f"{body}Arms (make two with main color)\nRnd 1: 4 sc in magic ring (4)\nRnd 2: sc around (4)\n")
     assert [(p.name, p.copies) for p in found.parts] == [("Body", 1), ("Arms", 2)]
+
+
+@pytest.mark.parametrize(
+    "last",
+    ["6 inc, change color (12)", "6 inc (12), color change", "6 inc. Change colour. (12)", "6 inc - color change = 12"],
+)
+def test_a_change_to_a_yarn_that_is_not_named_keeps_its_round(last: str) -> None:
+    words = f"Ball\nR1: 6 sc in MR (6)\nR2: {last}\nR3: 12 sc (12)\n"
+    assert counts(words) == [6, 12, 12]
+    assert [p.message for p in pattern(words).warnings if "which yarn comes next" in p.message]
+
+
+def test_rounds_may_be_points_of_a_list() -> None:
+    rows = "1. Ch 11.\n2. Row 1: Starting in 2nd ch from hook, sc across (10). Ch 1, turn.\n3. Row 2-8: sc 10 in BLO, ch 1, turn.\n"
+    assert counts(f"Strip\n\n{rows}")[-8:] == [10] * 8
+    rounds = "1. Round 1: Magic ring, 6 sc (6).\n2. Round 2: inc in each st (12).\n3. Round 3-4: sc around (12)\n"
+    assert counts(f"Base\n{rounds}") == [6, 12, 12, 12]
+
+
+def test_a_count_of_petals_is_none_of_stitches() -> None:
+    words = "Flower\nRound 1: Magic ring, 5 sc.\nRound 2: (sl st, ch 2, 2 dc, ch 2, sl st) in each st = 5 petals\n"
+    found = pattern(words)
+    assert not account(found).get("not_understood")
+    assert not any(line.gap or line.stated for line in found.parts[0].lines)
+
+
+def test_the_first_of_two_yarns_is_taken() -> None:
+    words = "Body\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc around (12)\n\nPattern: Spikes (Make 5-7)\n\nUsing yellow or orange yarn:\n\nRnd 1: 4 sc in magic ring (4)\n"
+    found = pattern(words)
+    assert [(p.name, p.copies) for p in found.parts] == [("Body", 1), ("Spikes", 5)]
+    assert any(isinstance(i, Action) and i.name == "color" for line in found.parts[1].lines for i in line.items)
+    assert not account(found).get("not_understood")

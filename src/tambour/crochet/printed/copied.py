@@ -12,6 +12,7 @@ _MARKS: Final = frozenset(
     (",", ".", ":", "x", "*", "**", "!", "-", "/", "&", "+", "(", ")", "[", "]", "=", "{", "}", "<", ">", "|", "_")
 )
 _AND: Final = frozenset("and und et y e en".split())
+_RANGED: Final = frozenset(("-", "to", "or"))
 _MOST: Final = 60
 _LONGEST: Final = 12  # words
 
@@ -30,13 +31,17 @@ def copies_of(tokens: Sequence[Token], heard: Heard, name: frozenset[str] = froz
     if _sides(tokens, heard, name):
         return 2
     counts, worded = [], False
-    for token in tokens:
+    for k, token in enumerate(tokens):
+        if k > 1 and tokens[k - 1].word in _RANGED and 0 < number_of(tokens[k - 2], heard) < number_of(token, heard):
+            continue  # "5-7": the fewest that are asked for
         grown = token.word[1:] if token.word[:1] == "x" and token.word[1:].isdigit() else token.word.removesuffix("x")
         if token.word in heard.pairs:
             counts.append(2)
         elif (many := number_of(token, heard)) or (grown != token.word and grown.isdigit()):
             counts.append(many or int(grown))
             worded = worded or not many
+        elif token.word in _RANGED and counts and k + 1 < len(tokens) and number_of(tokens[k + 1], heard):
+            continue
         elif token.word not in _MARKS and token.word not in heard.copied and token.word not in name:
             return 0
         worded = worded or token.word in heard.copied or token.word in heard.pairs or token.word in ("x", "*")

@@ -107,6 +107,9 @@ def count(r: Reader, found: list[Item]) -> bool:
     """A count without brackets: ``= 18``, ``- 18 sts``, ``18 sts`` or, as a sentence of its own, ``18 sc``."""
     c = r.c
     sign = int(c.mark("-", "=", ":"))
+    if c.mark("=") and any(map(makes, found)) and (other := things(Cursor(c.tokens, c.at + 1))):
+        c.at += 1 + other  # "(sl st, ch 2, 2 dc, ch 2, sl st) in each st = 5 petals"
+        return True
     if not (any(map(makes, found)) or any(map(slips, found)) or r.body.left or r.body.refers) or not ends_with_number(
         r, sign
     ):

@@ -198,6 +198,10 @@ def decided(
     if body.both:
         said = f"{BESIDE}: it is worked on the one at the hook"
         source.doubt(said, "the pieces stand beside each other", Span(tokens[0].start, tokens[-1].end))
+    if body.undyed is not None:
+        source.doubt(
+            "which yarn comes next is not said here: it goes on in the same", "name it: change to white", body.undyed
+        )
     if body.bent:
         span = Span(tokens[0].start, tokens[-1].end)
         source.doubt("what is worked back along chains is drawn as a loop of them", "nothing is amiss", span)

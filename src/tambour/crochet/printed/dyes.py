@@ -94,6 +94,22 @@ class Dyes(Courses):
             c.look(shade[1]) is None or c.mark(",", ".", ")", "(", ahead=shade[1])
         )  # "6 sc red"
 
+    def _undyed(self) -> bool:
+        """Goes past a change of yarn that names none, "change color", "color change", at the end of a clause; whether one stands at the cursor."""
+        c, first, second = self.c, self.c.look(), self.c.look(1)
+        if first is None:
+            return False
+        turned = first.word in ("color", "colour") and second is not None and second.word in ("change", "changes")
+        changed = first.value == "color" and first.word.split()[0] in ("change", "switch", "changing")
+        ahead = 1 + turned
+        if not (turned or changed) or not (
+            c.look(ahead) is None or c.mark(",", ".", ";", "(", "[", "-", "=", ahead=ahead)
+        ):
+            return False
+        self.body.undyed = Span(first.start, c.tokens[c.at + ahead - 1].end)
+        c.at += ahead
+        return True
+
     def _labels(self, at: int, length: int) -> bool:
         """Whether the yarn at ``at`` is told of the whole round, behind its count: "sc around (18) - red"."""
         counted = self.body.stated_span
@@ -115,6 +131,8 @@ class Dyes(Courses):
             and self._of_yarn()
         ):
             return True  # "2 dc in each of first 2 sc made with A" tells those stitches
+        if self._undyed():
+            return True
         if c.key("join"):
             return False  # "Join B with sl st to first sc": joins the round, if there is one
         words = [t.word if (t := c.look(k)) is not None else "" for k in range(14)]

@@ -136,6 +136,8 @@ def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
     if found is None and asked:
         hue = shade(" ".join(t.word for t in some))
         found = (hue, len(some)) if hue is not None else p.palette.letter(Cursor(some), 0) if len(some) == 1 else None
+    if found is not None and len(some) > found[1] + 1 and some[found[1]].word == "or":
+        some = some[: found[1]]  # "Using yellow or orange yarn": the first of them
     if found is None or found[1] != len(some):
         return None
     return found[0] if asked or p.heading is not None or not some[0].capital or _goes_on(p) else None

@@ -45,6 +45,7 @@ class Body:
     moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
     later : colours that are changed to at the end of its rounds, or of the one with that number
     pending : a magic ring still wants its stitches
+    undyed : where it changes to a yarn that it does not name
     hues : the yarns of what it refers to, in the order in which they come there
     below : the round whose stitches it says it is worked into ("sc in next 12 sts of Round 2")
     edge : stitches on the edge after it, where it goes over two pieces
@@ -61,6 +62,7 @@ class Body:
     hook: int = 0
     fresh: int = 0
     rings: int = 0
+    undyed: Span | None = None
     lift: int = 0
     ringed: bool = False
     sides: bool = False

@@ -44,7 +44,7 @@ from tambour.crochet.printed.risings import counting
 from tambour.crochet.printed.runs import listed, parted
 from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.shells import shelled
-from tambour.crochet.printed.shorthand import numbered, signs
+from tambour.crochet.printed.shorthand import numbered, signs, unlisted
 from tambour.crochet.printed.stepped import stepped
 from tambour.crochet.printed.tables import tabled
 from tambour.crochet.printed.tallies import tallied
@@ -145,7 +145,9 @@ class State:
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
         self.rows = once(
-            signs(first(numbered(columned(source.text.text, leaves(source.text.text, rows(source.text.text))))))
+            signs(
+                first(numbered(unlisted(columned(source.text.text, leaves(source.text.text, rows(source.text.text))))))
+            )
         )
         self.rows = torn(source.text.text, self.rows)
         self.long = _long(self.rows)
