@@ -144,3 +144,33 @@ def test_the_first_of_two_yarns_is_taken() -> None:
     assert [(p.name, p.copies) for p in found.parts] == [("Body", 1), ("Spikes", 5)]
     assert any(isinstance(i, Action) and i.name == "color" for line in found.parts[1].lines for i in line.items)
     assert not account(found).get("not_understood")
+
+
+def test_heads_that_stand_above_points_are_of_these() -> None:
+    words = (
+        "Body:\nRow 1:\n- Begin with a magic circle. Crochet 6 sc in the ring (6 stitches).\nRow 2:\n- Increase in every stitch (12 stitches).\n"
+        "In Row 3:\n- Sc in the first stitch, increase in the next stitch repeat around (18 stitches).\nFor Rows 4-5:\n- Sc in each stitch around (18 stitches).\n"
+        "Row 6 (closing row):\n- Sc in the next stitch, then decrease repeat around (12 stitches).\n"
+    )
+    assert counts(words)[:6] == [6, 12, 18, 18, 18, 12]
+
+
+def test_rounds_between_asterisks_only_repeat_what_their_numbers_say() -> None:
+    words = "Head\n1. 6sc in MR. (6)\n2. inc x6. (12)\n3-6. *4 rows* 12sc. (12)\n7. [sc, dec] x4. (8)\n"
+    assert counts(words)[:7] == [6, 12, 12, 12, 12, 12, 8]
+
+
+def test_stitches_that_are_counted_on_are_one_after_another() -> None:
+    words = (
+        "This will be crocheted in the round.\n\nStart with 2 CH and then make 6 DC into the first stitch. Close the circle by making a SS into the first DC.\n\n"
+        "Row 1: 2 DC into each stitch join with a SS (should now have 12 stitches)\nRow 2: 1 DC in first stitch, 2 DC in second stitch. Repeat to end and join with a SS (should now have 18 stitches)\n"
+        "Row 3: 1 DC in first stitch, 1 DC in second stitch, 2 DC in third stitch. Repeat to the end, join with SS (should now have 24 stitches).\nRow 4 – 6: 1 DC in all stitches, join with SS (should still have 24 stitches by the end of row 6).\n"
+    )
+    assert counts(words)[-6:] == [12, 18, 24, 24, 24, 24]
+
+
+def test_a_group_with_a_chain_is_no_increase_to_take_one_by_one() -> None:
+    found = pattern(
+        "Ball\nRnd 1: 6 sc in ring (6)\nRnd 2: 2 sc in each st (12)\nRnd 3: *(hdc, ch 1, hdc) in next st, skip next st*, repeat around. (24)\n"
+    )
+    assert not any("one in each of so many" in p.message for p in found.warnings)

@@ -96,8 +96,10 @@ def singly(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
     for item in items:
         first = item.items[0] if isinstance(item, Group) and item.times is None and len(item.items) > 1 else None
         kind = stitches.get(first.name) if isinstance(first, Action) and first.times == 1 else None
-        if isinstance(item, Group) and isinstance(first, Action) and kind is not None and kind.takes == 1 < kind.makes:
-            plain = replace(first, name=next(m.kind for m in kind.moves if m.kind), times=kind.makes)
+        made_of = {m.kind for m in kind.moves if m.kind} if kind is not None else set()
+        increase = kind is not None and kind.takes == 1 < kind.makes and len(made_of) == 1
+        if isinstance(item, Group) and isinstance(first, Action) and kind is not None and increase:
+            plain = replace(first, name=made_of.pop(), times=kind.makes)
             item = replace(item, items=(plain, *item.items[1:]))
         made.append(item)
     return made

@@ -45,6 +45,14 @@ _SHORT: Final = 6  # words of a heading
 _ALONE: Final = re.compile(
     r"[ \t]*(?:rnd|round|row|rd|r)s?[ \t]*\d+(?:[ \t]*[-–][ \t]*\d+)?[ \t]*[:.)]+[ \t]*\w+[ \t]*", re.IGNORECASE
 )
+_BEGUN: Final = re.compile(r"[ \t•*-]*(?:(?:in|for)[ \t]+)?(?:rnd|round|row|rd|r)s?[ \t]*\d", re.IGNORECASE)
+_HEAD: Final = re.compile(
+    r"[ \t]*(?:(?:in|for)[ \t]+)?(?:rnd|round|row|rd)s?[ \t]*\d+(?:[ \t]*[-–][ \t]*\d+)?[ \t]*(?:\([^()\n]{1,60}\))?[ \t]*:[ \t]*",
+    re.IGNORECASE,
+)
+"""The head of a round on a line of its own: "For Rows 6-9:", "Row 10 (closing row for the head):"."""
+_LEADS: Final = frozenset(("in", "for"))
+_POINTS: Final = frozenset(("-", "•", "*", "–", "·"))
 _LABELS: Final = frozenset(("rnd", "round", "row", "rnds", "rounds", "rows"))
 _STITCHES: Final = frozenset("sc hdc dc tr ch inc dec st sts stitch stitches slst sl".split())
 _BEHIND: Final = frozenset(("in", "into", "next", "each", "around", "from", "together"))
@@ -115,8 +123,11 @@ def torn(text: str, rows: list[Row]) -> list[Row]:
     made: list[Row] = []
     for at, row in enumerate(rows):
         above = rows[at - 1] if at else row
-        if made and row.tokens and above.tokens and not (row.marked or above.marked) and _breaks(text, above, row):
-            made[-1] = Row([*made[-1].tokens, *row.tokens], made[-1].start, row.end)
+        if made and row.tokens and above.tokens and not above.marked and _breaks(text, above, row):
+            begun, more = made[-1].tokens, row.tokens
+            if _HEAD.fullmatch(text[above.start : above.end]):
+                begun = begun[1:] if begun[0].word in _LEADS else begun
+            made[-1] = Row([*begun, *more], begun[0].start, row.end)
         else:
             made.append(row)
     return made
@@ -127,6 +138,10 @@ def _breaks(text: str, above: Row, row: Row) -> bool:
     last, first = above.tokens[-1], row.tokens[0]
     if len(above.tokens) == 1:
         return last.word in _LABELS and first.kind == "number"  # "Rnd | 27-29: hdc in each st"
+    if _HEAD.fullmatch(text[above.start : above.end]) and not _BEGUN.match(text, row.start, row.end):
+        return text[row.start : row.end].lstrip()[:1] in _POINTS  # "In Row 3: | - Sc in the first stitch, …"
+    if row.marked:
+        return False
     if not _ALONE.fullmatch(text[above.start : above.end]):
         return False
     if last.kind == "number":
