@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.ndimage import distance_transform_edt
 
 from tambour.core import threads
 from tambour.core.errors import Text
@@ -27,6 +28,9 @@ from tambour.crochet.yarn import clearance, course, edges, fabric, lead, loops, 
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
+from tambour.render.camera import look
+from tambour.render.cover import cover, turn
+from tambour.render.raster import shut
 
 STRIPES = """
 color(200, 40, 40)
@@ -432,6 +436,33 @@ def test_an_end_that_is_sewn_stays_at_its_nodes() -> None:
     moved = (host + slip - np.arange(len(graph)))[:count]
     assert abs(moved[-6:]).max() < 0.2 and abs(moved[1:4]).max() < 0.2
     assert moved.min() < -0.8
+
+
+def test_the_lining_is_not_bare_about_the_rims_of_arms() -> None:
+    """A last round was drawn together without the lining under it, which stood bare there, more than a width of the yarn across."""
+    made = make(Text((folder() / "crochet" / "frog.acl").read_text()), CrochetParams(), Progress())
+    seen = fabric.mesh(made.built.graph, made.positions, detail="low", made=made.yarn)
+    lined = seen.face_group == seen.group_names.index("lining")
+    thick, widest = 2.0 * float(np.median(made.yarn.radius)), []
+    for azimuth, elevation in ((225.0, -40.0), (90.0, 10.0)):
+        camera = look(
+            seen.vertices,
+            width=1000,
+            height=1000,
+            azimuth=np.radians(azimuth),
+            elevation=np.radians(elevation),
+            lens=np.radians(26.0),
+        )
+        x, y, z = turn(seen.vertices - camera.eye, camera.axes)
+        z = 1.0 / np.maximum(-z, 1e-9)
+        x, y = x * z * camera.scale + 500.0, 500.0 - y * z * camera.scale
+        near, face = np.full((1000, 1000), -np.inf, np.float32), np.full((1000, 1000), -1, np.int32)
+        cover(x, y, z, seen.faces, near, face, -shut(seen))
+        bare = (face >= 0) & lined[face]
+        # The widest disc within what is bare, in widths of the yarn.
+        discs = 2.0 * distance_transform_edt(bare)[bare] / (camera.scale * near[bare]) / thick
+        widest.append(float(discs.max(initial=0.0)))
+    assert max(widest) < 0.45
 
 
 @pytest.mark.parametrize("hold", ["over", "under"])

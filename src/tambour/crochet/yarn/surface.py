@@ -7,12 +7,13 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.core.mesh import Mesh
+from tambour.crochet.yarn.edges import gathered
 from tambour.geometry.surface import closed, vertex_normals
 
 SHADE = 0.8
 """How bright the lining is, as a share of the yarn above it: what light comes through the gaps."""
-DEPTH = 0.05
-"""How far inside the stitches' nodes the lining lies, in stitches."""
+DEPTH = 0.2
+"""How far inside the stitches' nodes the lining lies, in stitches: behind the yarn, not amid it, where it hid the strands that close a gap."""
 
 
 def mesh(graph: StitchGraph, positions: Array) -> Mesh:
@@ -30,8 +31,10 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
     """What one sees between stitches instead of the other side: a surface a little inside of parts that are filled.
 
     width : of a stitch, mm. It lies under parts that are closed, and on both sides of those that stuffing fills and whose
-    opening is sewn to another part; one looks into any other opening.
+    opening is sewn to another part; one looks into any other opening. A last round that is drawn together takes it along: where the
+    yarn had gone in alone it stood bare about the rims of arms.
     """
+    positions = gathered(graph, positions)
     shut, sewn = _filled(graph)
     faces = np.concatenate([shut, sewn])
     normals = vertex_normals(positions, faces)
