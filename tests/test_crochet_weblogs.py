@@ -174,3 +174,11 @@ def test_a_group_with_a_chain_is_no_increase_to_take_one_by_one() -> None:
         "Ball\nRnd 1: 6 sc in ring (6)\nRnd 2: 2 sc in each st (12)\nRnd 3: *(hdc, ch 1, hdc) in next st, skip next st*, repeat around. (24)\n"
     )
     assert not any("one in each of so many" in p.message for p in found.warnings)
+
+
+def test_until_the_end_of_the_round_is_around() -> None:
+    words = (
+        "Berry\nMake a Magic Ring.\nRound 1: Work 7 sc into the Magic Ring. <7>\nRound 2: Work 2 sc into each st until the end of the round. <14>\n"
+        "Round 3: *Work 1 sc, work 1 inc, *rep until the end of the round. <21>\nRound 4-5: Work 1 sc into each st until the end of the round. <21>\n"
+    )
+    assert counts(words)[:5] == [7, 14, 21, 21, 21]

@@ -26,6 +26,7 @@ _IDIOMS: Final = tuple(
     for said, meant in (
         (r"(?:held|used|taken|worked|working) (?:double|doubled)(?! crochet| treble|-)", "held together"),
         (r"(?:a |one |1 )?single strands? of", "yarn"),
+        (r"(?:until|till) (?:the )?(?:very )?end of (?:the |this )?(?:round|rnd|row)(?= ?[.,;:(<\[]| ?$)", "around"),
         # booklets of the fifties
         (r"(inc|dec|increase|decrease)(?: \.)? (?:1|one)(?= [,;.)*]| ?$)", "{1}"),
         (r"(inc|dec|increase|decrease) (?:\. )?(?:all|right) (?:round|around)", "{1} around"),
@@ -98,6 +99,7 @@ _IDIOMS: Final = tuple(
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
         # weblogs
+        (r"(back|front) loops? only (?:for|in|on) (?:this|the) (?:round|rnd|row)(?: :| ,)?", "in {1} loops only ,"),
         (r"\* (?:for )?\d+ (?:rounds?|rnds?|rows?) \*(?= \d| sc| \()", ""),  # "7-10. *4 rows* 36 sc": the numbers of the rounds say it
         (rf"(?:start|begin) (?:with|by) (?:making )?(?:(?:2|3|two|three) ({_CHAINS})|({_CHAINS}) (?:2|3|two|three)) ?,? (?:and )?(?:then )?(?:make|work|crochet|put|do )?(?: ?({NUMBER}) (\w+)) (?:in|into) (?:the )?(?:first|1st|2nd|second) (?:st|stitch|ch|chain)(?: made| from (?:the )?hook)?", "{3} {4} in mr"),
         (r"close (?:the )?(?:circle|ring) (?:by|with) (?:making |working )?(?:a |an )?(ss|sl st|slst|slip stitch) (?:in|into|to) (?:the )?(?:first|1st) (\w+)", "join with {1} in first {2}"),
