@@ -14,7 +14,6 @@ from tambour.geometry.tube import sweep
 from tambour.render import light, raster
 from tambour.render.camera import look
 from tambour.render.cover import cover, turn
-from tambour.render.shade import FIBRE, GROOVE, HAIRS, PLIES
 
 
 def cover_plainly(x, y, z, faces, shape, side):  # type: ignore[no-untyped-def]
@@ -181,35 +180,6 @@ def test_yarn_is_as_thick_as_it_is_whatever_hangs_from_it() -> None:
     assert raster.radii(both)[:2] == pytest.approx([6.0, 0.4], rel=0.05)
     assert raster.radii(both)[2] == pytest.approx(0.4, rel=0.05)
     np.testing.assert_array_equal(raster.radii(plate), [0.0])
-
-
-def test_fibres_wind_with_their_plies(monkeypatch: pytest.MonkeyPatch) -> None:
-    """They ran along the yarn over its plies as if there were none, and nobody saw plies."""
-    line = np.array([[-60.0, 0, 0], [0, 0, 0], [60, 0, 0]])
-    rod = sweep(Strands(Paths.of([line]), np.full(3, 12.0), np.full((1, 3), 128, np.uint8)), sides=48, lay=6.4)
-
-    def tilt(**asked: float) -> float:
-        """How far, degrees, what one sees on the rod lies from its way."""
-        row = list(raster.MATERIALS["yarn"])
-        for column, value in (
-            (HAIRS, 0.0),
-            (PLIES, asked["plies"]),
-            (GROOVE, asked["groove"]),
-            (FIBRE, asked["fibre"]),
-        ):
-            row[column] = value
-        monkeypatch.setitem(raster.MATERIALS, "yarn", tuple(row))
-        made = raster.shot(
-            rod, width=600, height=160, azimuth=0.0, elevation=0.0, lens=0.4, samples=2, lights=10, ground=False
-        )
-        middle = made.light[66:94, 100:500, :3].mean(2).astype(np.float64)
-        middle = middle - middle.mean(1, keepdims=True)
-        down, right = np.gradient(middle)
-        return float(0.5 * np.degrees(np.arctan2(2.0 * (down * right).sum(), (down * down - right * right).sum())))
-
-    along = tilt(plies=0.0, groove=0.0, fibre=0.017)
-    fibres, plies = tilt(plies=4.0, groove=0.0, fibre=0.017), tilt(plies=4.0, groove=0.3, fibre=0.0)
-    assert plies - 10.0 < fibres < along - 20.0
 
 
 def test_empty_and_flat_meshes_are_drawn() -> None:

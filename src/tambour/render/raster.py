@@ -28,7 +28,7 @@ from tambour.render.tables import PLANK, TABLES, tile
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine; tiles (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0),
-    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.28, 0.022, 44.0, 0.85, 0.0100, 1.0),
+    "yarn": (0.55, 0.38, 0.0, 1.0, 4.0, 0.32, 0.022, 44.0, 0.85, 0.0100, 1.0),
     "cotton": (0.3, 0.22, 0.08, 14.0, 4.0, 0.34, 0.014, 18.0, 0.5, 0.0085, 0.8),
     "acrylic": (0.45, 0.32, 0.04, 18.0, 4.0, 0.34, 0.02, 48.0, 0.8, 0.0095, 1.0),
     "chenille": (0.8, 0.6, 0.0, 1.0, 0.0, 0.0, 0.02, 700.0, 0.92, 0.013, 8.0),

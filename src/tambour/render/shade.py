@@ -18,14 +18,8 @@ FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE, TILES, THICK
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.16  # how much lighter and darker single fibres are: less, and wool looks like clay
-NEARBY, WEAKER = (
-    0.7,
-    0.35,
-)  # samples a texel of fibres is wide from which on they show less, and by which power: one sees between them
-WOUND = 0.6  # how far fibres wind about the yarn where its plies wind once: each is spun the other way
-SEEN, NEARER = 1.3, 3.0  # samples that a texel of fibres is wide; how much finer than the tile's they are at the most
 SOFT = 0.08  # how round the bottom of the groove between plies is
-DARK, DARKEST = 1.3, 0.45  # how much of the light the groove between plies keeps out, for its depth, and at the most
+DARK, DARKEST = 1.7, 0.55  # how much of the light the groove between plies keeps out, for its depth, and at the most
 
 
 @kernel
@@ -210,34 +204,20 @@ def shade(
                                 wide = len(fleece)
                                 texel_of = 2.0 * pi * table[m, THICK] * finely / wide
                                 fine = min(1.0, texel_of / 0.5)
-                                # Near to, they are finer than the tile's.
-                                times = min(NEARER, max(1.0, floor(texel_of / SEEN + 0.5)))
-                                shown = (texel_of / NEARBY) ** -WEAKER if texel_of > NEARBY else 1.0
-                                # Fibres wind with their plies, less steeply, and none goes on from one to the next.
-                                shear, apart = 0.0, 0.0
-                                if plies > 0.0:
-                                    shear, apart = WOUND, 0.377 * floor(phase / pi + 0.5)
-                                va_, ua_ = (
-                                    times * (around_at - shear * along_at) + apart,
-                                    times * tiles * along_at + apart,
-                                )
-                                r_ = floor(wide * (va_ - floor(va_))) % wide
-                                c_ = floor(wide * (ua_ - floor(ua_))) % wide
+                                r_ = floor(wide * (around_at - floor(around_at))) % wide
+                                c_ = floor(wide * (tiles * along_at - floor(tiles * along_at))) % wide
                                 tone_of = fleece[r_, c_, 0]
-                                lift = shown * fine * fibre / (2.0 * pi * around)
+                                lift = fine * fibre / (2.0 * pi * around)
                                 tx_, ty_, tz_ = (
                                     tiles * ((ub - ua) * bx + (uc - ua) * cx),
                                     tiles * ((ub - ua) * by + (uc - ua) * cy),
                                     tiles * ((ub - ua) * bz + (uc - ua) * cz),
                                 )
-                                wx -= shear * tx_ / tiles
-                                wy -= shear * ty_ / tiles
-                                wz -= shear * tz_ / tiles
                                 n[0] -= lift * (fleece[r_, c_, 1] * wx + fleece[r_, c_, 2] * tx_)
                                 n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)
                                 n[2] -= lift * (fleece[r_, c_, 1] * wz + fleece[r_, c_, 2] * tz_)
                                 for c in range(3):
-                                    albedo[c] *= max(0.3, 1.0 + shown * MOTTLED * tone_of)
+                                    albedo[c] *= max(0.3, 1.0 + MOTTLED * tone_of)
                     length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                     if length == 0.0:
                         length = 1.0

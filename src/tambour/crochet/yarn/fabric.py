@@ -266,7 +266,7 @@ NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
 SLUB, THIN = 9, 0.07
 """Yarn grows thicker and thinner every so many points, by so much of its radius."""
-GROOVE = 0.25
+GROOVE = 0.22
 """How deep the plies of such yarn lie apart in its outline, in radii drawn."""
 WANDER = 0.06
 """Yarn is twisted more and less along its way, by so many turns."""
@@ -278,9 +278,9 @@ KINKS = 6
 """How often the bends of such yarn are shared with their neighbours: strands that were pushed apart have kinks."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 6.4
-"""Radii along which plies wind once about the yarn: they lie 44 degrees to its way, so that two or three cross a leg of a V. At 13 it showed one
-shallow groove, and nobody saw plies; at 7.4 fewer than two, and what winds about the leg that leans against the twist lay along it."""
+LAY = 7.4
+"""Radii along which plies wind once about the yarn: they lie 37 degrees to its way, as in worsted of four plies. At 13 a leg of a V showed one
+shallow groove, and nobody saw plies; at 7.5 the leg that leans against the twist showed them lying along it, and the other a corkscrew."""
 LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
 UNEVEN, DRIFT, HELD = 0.036, 0.09, 6
