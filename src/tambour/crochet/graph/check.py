@@ -194,7 +194,7 @@ def _open(built: Built, off: set[int]) -> Iterator[Problem]:
             or name.removesuffix(".1") in held
         ):
             continue
-        rim = _rim(built, k)
+        rim = open_edges(built, k)
         made = next((w.edge for w in reversed(built.worked) if w.part == k and w.line.in_round), rim)
         rim = made if abs(rim - made) == 1 else rim  # where a spiral stops, a step is an edge more
         if rim > 2 and built.parts[k].copy == 1:
@@ -203,7 +203,7 @@ def _open(built: Built, off: set[int]) -> Iterator[Problem]:
             yield Problem(message, hint, section.span, pattern.text)
 
 
-def _rim(built: Built, part: int) -> int:
+def open_edges(built: Built, part: int) -> int:
     """Edges that bound the fabric of a part."""
     faces = built.graph.faces[built.graph.part[built.graph.faces[:, 0]] == part]
     sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)

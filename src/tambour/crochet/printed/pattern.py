@@ -12,8 +12,10 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import ASIDE, GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Again, Line, Pattern
+from tambour.crochet.places.empty import empty
 from tambour.crochet.places.halves import joined as halved
 from tambour.crochet.places.onward import joined, worked_on
+from tambour.crochet.places.toy import Assembled
 from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed import pairs
 from tambour.crochet.printed.accounted import beside, headed
@@ -179,7 +181,7 @@ class Printed(Headed):
             {draft.name: draft.over for draft in self.parts},
         )
         if found is None:
-            return pattern
+            return with_places(pattern, Assembled(unstuffed=empty(built, ()))) if usual else pattern
         usually, found.finish = spoken_of(self, pattern, found.finish)
         self.lost = [s for s in found.lost if not any(s.start < at.end and at.start < s.end for at in usually.values())]
         for span in self.lost:
@@ -208,6 +210,7 @@ class Printed(Headed):
             for problem in wrong:
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
             source.finish += [] if wrong else [record]
+        found.unstuffed += empty(built, source.finish) if usual else []
         return with_places(pattern, found)
 
     def _named(self, name: str) -> Span:
