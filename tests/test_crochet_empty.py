@@ -64,6 +64,9 @@ def test_what_ends_wide_holds_no_stuffing_of_which_the_text_does_not_speak(said:
         "You need: cotton yarn, polyester stuffing",
         "Material: Baumwolle, Füllwatte",
         "Stuff firmly.",
+        "Materials: yarn, filling",
+        "Fill it and sew the top edge straight across.",
+        "Remplir de fibre.",
         "You need: yarn, a pillow form",
     ],
 )

@@ -182,3 +182,45 @@ def test_until_the_end_of_the_round_is_around() -> None:
         "Round 3: *Work 1 sc, work 1 inc, *rep until the end of the round. <21>\nRound 4-5: Work 1 sc into each st until the end of the round. <21>\n"
     )
     assert counts(words)[:5] == [7, 14, 21, 21, 21]
+
+
+def test_numbers_below_a_column_of_rows_are_none_of_its_head() -> None:
+    words = "Strap\nRow\n1 ch 11, sc in 2nd ch from hook and in each ch across (10)\n2 ch 1, turn, sc in each st across (10)\n3 ch 1, turn, sc in each st across (10)\n"
+    assert counts(words)[-3:] == [10, 10, 10]
+
+
+def test_the_next_round_is_no_more_of_the_line_above() -> None:
+    words = "Ball\nRnd 1: 6 sc in ring (6)\nRnd 2: 2 sc in each st (12)\nRnds 3-5: sc\nNext rnd: dec around (6)\n"
+    assert [w.made for w in build(pattern(words)).worked][:6] == [6, 12, 12, 12, 12, 6]
+
+
+def test_chains_that_count_as_a_stitch_are_no_start_in_a_ring() -> None:
+    words = "Sun\nRnd 1: Start with ch 3, 11 dc in first ch, sl st to top of ch 3 (12)\nRnd 2: ch 3, dc in same st, 2 dc in each st around (24)\n"
+    assert [[i.name for i in line.items if isinstance(i, Action)][:1] for line in pattern(words).parts[0].lines] == [
+        ["MR{ch2hdc, 11 dc}"],
+        ["{ch3dc, dc}"],
+    ]
+
+
+def test_a_third_stitch_that_leaves_one_out_is_not_the_next() -> None:
+    words = (
+        "Lace\nRnd 1: 6 sc in ring (6)\nRnd 2: 2 sc in each st (12)\nRnd 3: *sc in first st, 5 dc in third st* around\n"
+    )
+    assert account(pattern(words)).get("not_understood")
+
+
+def test_a_length_from_the_last_increase_is_measured_from_there() -> None:
+    rounds = "\n".join(
+        f"Rnd {k}: {'2 sc in each st' if k == 2 else f'(sc in next {k - 2} sts, 2 sc in next st) around'} ({6 * k})"
+        for k in range(2, 9)
+    )
+    words = f"Hat\nGauge: 20 sts and 24 rounds = 10 cm\nRnd 1: 6 sc in ring (6)\n{rounds}\nRnd 9: sc in each st around (48)\nRepeat rnd 9 until piece measures 5 cm from last increase round.\n"
+    assert len([w for w in build(pattern(words)).worked if w.line.in_round]) >= 15
+
+
+def test_what_is_stuffed_and_sewn_by_its_name_is_not_the_part_under_way() -> None:
+    words = "Bunny\n\nBody\nRnd 1: 6 sc in mr (6)\nRnd 2: inc around (12)\nRnd 3-6: sc around (12)\nStuff the neck firmly and sew on to the head.\n\n"
+    found = pattern(
+        f"{words}Head\nRnd 1: 6 sc in mr (6)\nRnd 2: inc around (12)\nRnd 3-4: sc around (12)\nFasten off.\n"
+    )
+    assert [p.stuffing for p in found.parts] == [None, None]

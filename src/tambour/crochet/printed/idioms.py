@@ -99,11 +99,12 @@ _IDIOMS: Final = tuple(
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
         # weblogs
-        (r"(back|front) loops? only (?:for|in|on) (?:this|the) (?:round|rnd|row)(?: :| ,)?", "in {1} loops only ,"),
+        (r"(back|front) loops? only for (?:this|the) (?:round|rnd|row)(?: :| ,)?(?= (?:\d+ |\( |\[ |\* )?(?:sc|hdc|dc|inc|dec))", "in {1} loops only ,"),
         (r"\* (?:for )?\d+ (?:rounds?|rnds?|rows?) \*(?= \d| sc| \()", ""),  # "7-10. *4 rows* 36 sc": the numbers of the rounds say it
-        (rf"(?:start|begin) (?:with|by) (?:making )?(?:(?:2|3|two|three) ({_CHAINS})|({_CHAINS}) (?:2|3|two|three)) ?,? (?:and )?(?:then )?(?:make|work|crochet|put|do )?(?: ?({NUMBER}) (\w+)) (?:in|into) (?:the )?(?:first|1st|2nd|second) (?:st|stitch|ch|chain)(?: made| from (?:the )?hook)?", "{3} {4} in mr"),
+        (rf"(?:start|begin) (?:with|by) (?:making )?(?:(?:2|two) ({_CHAINS})|({_CHAINS}) (?:2|two)) ?,? (?:and )?(?:then )?(?:make|work|crochet|put|do )?(?: ?([4-9]|1[0-2]) (sc|dc|single crochets?|double crochets?)) (?:in|into) (?:the )?(?:first|1st|2nd|second) (?:st|stitch|ch|chain)(?: made| from (?:the )?hook)?", "{3} {4} in mr"),
         (r"close (?:the )?(?:circle|ring) (?:by|with) (?:making |working )?(?:a |an )?(ss|sl st|slst|slip stitch) (?:in|into|to) (?:the )?(?:first|1st) (\w+)", "join with {1} in first {2}"),
-        (rf"(?:in|into) (?:the )?(?:second|third|fourth|fifth) ({_ST})(?! (?:from|of|ch|chain|to|on|in|made|after|before|\())", "in next {1}"),
+        (rf"(in (?:the )?first (?:{_ST}) , (?:\d+ )?\w+) in (?:the )?second ({_ST}) (, (?:\d+ )?\w+) in (?:the )?third ({_ST})(?! from)", "{1} in next {2} {3} in next {4}"),
+        (rf"(in (?:the )?first (?:{_ST}) , (?:\d+ )?\w+) in (?:the )?second ({_ST})(?! from)", "{1} in next {2}"),
         (r"\( (?:you )?should (?:now |still )?(?:have|be left with|be) (\d+) (?:sts?|stitches)(?: by the end of (?:the )?(?:row|round|rnd)(?: \d+)?)?(?: \.)? \)", "( {1} )"),
         # translations
         (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:back|rear|far) (?:half )?(?:walls?|threads?|strands?|halves|half(?: -)? ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in blo"),

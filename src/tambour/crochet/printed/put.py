@@ -151,6 +151,9 @@ def eyed(tokens: list[Token]) -> bool:
     return "eyes" in values and "between" in values and ("round" in values or "row" in values) and numbers > 1
 
 
+_ITSELF: Final = frozenset("the this piece part well very quite just only rather".split())
+
+
 def _filled(p: State, tokens: list[Token]) -> None:
     """Takes how a part is stuffed from the sentence that sews it on: "Stuff the muzzle lightly and sew it to the head", "Sew on the snout,
     stuffing lightly as you work"; where it names only what it is sewn to, "Stuff lightly and sew to the head", the part itself is meant."""
@@ -160,7 +163,11 @@ def _filled(p: State, tokens: list[Token]) -> None:
     near = tokens[at : at + _NEAR]
     amount = next((word for word in ("light", "medium", "firm") if any(t.value == word for t in near)), None)
     part = _named(p, _sewn_on(near)) or _named(p, _sewn_on(tokens[:at]))
-    if part is None and p.mode != "assembly":
+    joined = next((k for k, t in enumerate(near) if t.value == "and"), 0)
+    named = any(t.kind == "word" and len(t.word) > 2 and t.word not in _ITSELF for t in near[1:joined])
+    if (
+        part is None and p.mode != "assembly" and not named
+    ):  # "Stuff the neck firmly and sew on to the head" names another
         part = p.parts[-1]
     if amount is not None and part is not None and part.stuffing is None:
         part.stuffing = STUFFING[amount]

@@ -329,6 +329,11 @@ def _length(c: Cursor) -> tuple[float | None, bool]:
     return length, whole
 
 
+_PARTING: Final = frozenset(
+    "previous division split dividing increases decreases increase decrease armhole armholes shaping".split()
+)
+
+
 def _from_elsewhere(c: Cursor) -> bool:
     """Whether a length is measured from a join, or from another part, "from joining rnd", "from top of shoe", "from color change": other
     words say where the part itself begins, in more ways than could be listed."""
@@ -340,6 +345,8 @@ def _from_elsewhere(c: Cursor) -> bool:
     if word is None or word.kind == "mark":
         return False
     after = c.look(ahead + 1)
+    if word.value in ("last", "inc", "dec") or word.word in _PARTING:
+        return True  # "from last increase round", "from division for sleeves"
     if after is not None and (word.word == "top" or (word.word in ("color", "colour") and after.word == "change")):
         return after.kind != "mark"
     return word.word in _JOINS or word.value == "join" or kind_of(one(word.word.rstrip("."))) not in _BASES

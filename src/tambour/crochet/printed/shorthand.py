@@ -318,6 +318,7 @@ def unlisted(rows: list[Row]) -> list[Row]:
             and row.tokens[2].word in _ROUNDS
             and row.tokens[3].kind == "number"
             and not row.tokens[3].glued
+            and not any(t.word in ("again", "repeat", "same") for t in row.tokens[4:9])
         )
         made.append(Row(row.tokens[2:], row.tokens[2].start, row.end, row.marked) if listed else row)
     return made

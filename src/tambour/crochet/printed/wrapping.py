@@ -78,7 +78,7 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
         if counted is not None and int(counted[1]) in (1, reached + 1):
             follows = int(counted[1]) == reached + 1
             reached = int(counted[2] or counted[1])
-            if follows:
+            if follows and (not above.tokens or above.tokens[-1].word not in ("ch", "chain")):
                 made.append(row)
                 continue
         if not (made and row.tokens and above.tokens) or row.marked or above.marked:
@@ -137,7 +137,12 @@ def _breaks(text: str, above: Row, row: Row) -> bool:
     """Whether a line is the head of a round, and at most a word that ``row`` goes on from."""
     last, first = above.tokens[-1], row.tokens[0]
     if len(above.tokens) == 1:
-        return last.word in _LABELS and first.kind == "number"  # "Rnd | 27-29: hdc in each st"
+        colon = len(row.tokens) > 1 and row.tokens[1].word in (
+            ":",
+            "-",
+            "–",
+        )  # else it heads a column: "Row" over "1 ch 11, …"
+        return last.word in _LABELS and first.kind == "number" and colon  # "Rnd | 27-29: hdc in each st"
     if _HEAD.fullmatch(text[above.start : above.end]) and not _BEGUN.match(text, row.start, row.end):
         return text[row.start : row.end].lstrip()[:1] in _POINTS  # "In Row 3: | - Sc in the first stitch, …"
     if row.marked:
@@ -146,7 +151,9 @@ def _breaks(text: str, above: Row, row: Row) -> bool:
         return False
     if last.kind == "number":
         return first.word in _STITCHES and not first.capital
-    return last.word in _STITCHES and first.word in _BEHIND
+    # A capital may be a telephone's, but not of "Next rnd: dec".
+    small = not first.capital or (first.word == "in" and len(row.tokens) > 1 and row.tokens[1].word in _BEHIND)
+    return last.word in _STITCHES and first.word in _BEHIND and small
 
 
 def step(text: str, row: Row) -> int:
