@@ -121,6 +121,14 @@ PIECES = (
 ).split(" ")
 
 
+@pytest.mark.parametrize("line", ["== Head == 7: 6 sc", "==Head==x", "== Head (make 2) == MR(6)", "== Head == é"])
+def test_what_stands_behind_a_whole_line_is_told_as_what_it_is(line: str) -> None:
+    assert by_tables(line) == by_lark(line)
+    with pytest.raises(DoesNotFit) as told:
+        grammar().parse(line)
+    assert str(told.value.token)
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_a_line_is_read_as_lark_reads_it(seed: int, root: Path) -> None:
     rng = random.Random(seed)

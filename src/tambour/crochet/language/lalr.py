@@ -114,7 +114,7 @@ class Grammar:
         # What could stand elsewhere is told as what it is.
         other = self._next(line, at, self._all)
         begin = other.start_pos if other is not None else self._ignore.match(line, at).end()  # type: ignore[union-attr]
-        raise DoesNotFit(other or Token("", line[begin], begin), wanted)
+        raise DoesNotFit(other or Token("", line[begin], begin), wanted or {"<END-OF-FILE>"})
 
     def _next(self, line: str, at: int, wanted: frozenset[str]) -> Token | None:
         at = self._ignore.match(line, at).end()  # type: ignore[union-attr]
@@ -124,7 +124,8 @@ class Grammar:
             names = [name for name in self.terminals if name in wanted]
             self._known[wanted] = re.compile("|".join(f"(?P<{name}>{self.terminals[name]})" for name in names))
         found = self._known[wanted].match(line, at)
-        return Token(str(found.lastgroup), found[0], at) if found else None
+        # Where only the end fits there is nothing to match, which every character begins with.
+        return Token(found.lastgroup, found[0], at) if found and found.lastgroup else None
 
     @cached_property
     def _all(self) -> frozenset[str]:

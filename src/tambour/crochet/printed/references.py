@@ -345,7 +345,8 @@ def _from_elsewhere(c: Cursor) -> bool:
     if word is None or word.kind == "mark":
         return False
     after = c.look(ahead + 1)
-    if word.value in ("last", "inc", "dec") or word.word in _PARTING:
+    shaped = after if word.value == "last" else word
+    if shaped is not None and (shaped.value in ("inc", "dec") or shaped.word in _PARTING):
         return True  # "from last increase round", "from division for sleeves"
     if after is not None and (word.word == "top" or (word.word in ("color", "colour") and after.word == "change")):
         return after.kind != "mark"
