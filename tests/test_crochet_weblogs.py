@@ -224,3 +224,31 @@ def test_what_is_stuffed_and_sewn_by_its_name_is_not_the_part_under_way() -> Non
         f"{words}Head\nRnd 1: 6 sc in mr (6)\nRnd 2: inc around (12)\nRnd 3-4: sc around (12)\nFasten off.\n"
     )
     assert [p.stuffing for p in found.parts] == [None, None]
+
+
+def test_around_to_the_marked_stitch_is_around() -> None:
+    words = (
+        "Bowl\n1. In magic circle, hdc 7. Sl st to beg.\n2. Ch 1, 2 sc in each stitch around. Do not sl st to beg. (14)\n"
+        "3. (Hdc in next st, 2 hdc in next st) repeat around until you reach the marked stitch. (21)\n4. Sc around until you get to the marker (21)\n"
+    )
+    assert counts(words)[-3:] == [14, 21, 21]
+
+
+def test_a_start_that_leaves_a_choice_is_a_ring() -> None:
+    words = "Bowl\n1.   Start with EITHER 4 ch joined with a sl st to form a ring OR a MC\n2.   Round 1:  1ch, 8dc into MC or ring, join with sl st to first st\n3.   Round 2:  1ch, 2dc in each st around, join with sl st (16sts)\n"
+    assert counts(f"{words}\nThis pattern is written in UK terms.\n")[-2:] == [8, 16]
+
+
+def test_what_is_worked_in_the_ring_just_made_is_in_it() -> None:
+    words = "Cap\nRnd 1: Make a magic circle and work 6 single crochet in it. (6st)\nRnd 2: *2 sc into the same st; rep from* to the end. (12st)\n"
+    assert counts(f"{words}Rnd 3: *1 sc into the next st, 2 sc into the next st; rep from * to the end. (18st)\n") == [
+        6,
+        12,
+        18,
+    ]
+
+
+def test_a_note_about_a_marker_takes_no_stitches_away() -> None:
+    assert counts(
+        "Arm\nRnd 1: 6 sc into the magic ring.\nRnd 2: 6 inc – Note: pm on 1st sc (12)\nRnd 3: BLO 12 sc (12)\n"
+    ) == [6, 12, 12]

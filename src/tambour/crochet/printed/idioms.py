@@ -99,6 +99,13 @@ _IDIOMS: Final = tuple(
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
         # weblogs
+        (r"(?:around )?(?:until|till) (?:you )?(?:reach|get to|come to|are at|are back at) (?:the |your )?(?:marked (?:st|stitch)|(?:stitch )?marker|(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?)", "around"),
+        (r"(?:do not|don't) (?:sl st|slip stitch|ss) (?:to|in|into) (?:the )?(?:beg|beginning|first|1st)(?: (?:st|stitch|sc))?", "do not join"),
+        (r"(?<=magic ring and work )(\d+ (?:single crochets?|sc)) in it", "{1} in ring"),
+        (r"(?<=magic circle and work )(\d+ (?:single crochets?|sc)) in it", "{1} in ring"),
+        (r"- note : pm (?:on|in) (?:the )?(?:1st|first) (?:sc|st|stitch)", "marker"),
+        (r"(?:start|begin) with either (?:\S+ ){3,14}?or (?:a |an |the )?(?:mc|mr|magic ring|magic circle|magic loop)", "magic ring"),
+        (r"(in|into) (?:the )?(?:mc|mr|magic ring|magic circle) or (?:the )?ring", "{1} ring"),
         (r"(back|front) loops? only for (?:this|the) (?:round|rnd|row)(?: :| ,)?(?= (?:\d+ |\( |\[ |\* )?(?:sc|hdc|dc|inc|dec))", "in {1} loops only ,"),
         (r"\* (?:for )?\d+ (?:rounds?|rnds?|rows?) \*(?= \d| sc| \()", ""),  # "7-10. *4 rows* 36 sc": the numbers of the rounds say it
         (rf"(?:start|begin) (?:with|by) (?:making )?(?:(?:2|two) ({_CHAINS})|({_CHAINS}) (?:2|two)) ?,? (?:and )?(?:then )?(?:make|work|crochet|put|do )?(?: ?([4-9]|1[0-2]) (sc|dc|single crochets?|double crochets?)) (?:in|into) (?:the )?(?:first|1st|2nd|second) (?:st|stitch|ch|chain)(?: made| from (?:the )?hook)?", "{3} {4} in mr"),

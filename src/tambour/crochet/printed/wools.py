@@ -44,7 +44,7 @@ _NO_NAME: Final = frozenset(
     """round rnd row right left wrong side yarn color colour main contrast cotton wool acrylic chenille worsted stuffing fiberfill felt floss
     thread hook needle eyes spiral rounds rows magic same other both two double one each all your this that these those another next last
     remaining back front loop loops long short small large embroidery pattern order tail end ends new first second third fourth desired chosen
-    preferred any original previous current darker lighter dark light bright contrasting matching different choice opposite established correct assorted solid multi variegated right wrong same""".split()
+    preferred any original previous current darker lighter dark light bright contrasting matching different choice opposite established correct assorted solid multi variegated""".split()
 )
 
 

@@ -137,11 +137,8 @@ def _breaks(text: str, above: Row, row: Row) -> bool:
     """Whether a line is the head of a round, and at most a word that ``row`` goes on from."""
     last, first = above.tokens[-1], row.tokens[0]
     if len(above.tokens) == 1:
-        colon = len(row.tokens) > 1 and row.tokens[1].word in (
-            ":",
-            "-",
-            "–",
-        )  # else it heads a column: "Row" over "1 ch 11, …"
+        # Without a sign "Row" heads a column: "1 ch 11, …" stands below it.
+        colon = len(row.tokens) > 1 and row.tokens[1].word in (":", "-", "–")
         return last.word in _LABELS and first.kind == "number" and colon  # "Rnd | 27-29: hdc in each st"
     if _HEAD.fullmatch(text[above.start : above.end]) and not _BEGUN.match(text, row.start, row.end):
         return text[row.start : row.end].lstrip()[:1] in _POINTS  # "In Row 3: | - Sc in the first stitch, …"
