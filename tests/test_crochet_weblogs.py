@@ -252,3 +252,11 @@ def test_a_note_about_a_marker_takes_no_stitches_away() -> None:
     assert counts(
         "Arm\nRnd 1: 6 sc into the magic ring.\nRnd 2: 6 inc – Note: pm on 1st sc (12)\nRnd 3: BLO 12 sc (12)\n"
     ) == [6, 12, 12]
+
+
+@pytest.mark.parametrize("yarn", ["Use mint yarn", "In mint.", "Start with mint"])
+def test_a_part_right_behind_the_materials_has_its_yarn(yarn: str) -> None:
+    found = pattern(
+        f"Bunny\nMATERIALS\nCotton yarn\n8mm safety eyes.\nHEAD\n{yarn}\nR1: 6sc in MR (6)\nR2: 6inc (12)\n"
+    )
+    assert any(isinstance(i, Action) and i.name == "color" for line in found.parts[0].lines for i in line.items)

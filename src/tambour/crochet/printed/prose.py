@@ -210,7 +210,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         if plan and found.copies_span is None and p.title is not None:
             p.passed.append(whole)  # "Stripe Pattern" and "Joining legs:" under BODY are no parts
             return
-        alone = (found.strong and apart) or heads
+        # Without a blank line too, where its rounds follow: "8 mm eyes", "HEAD", "Use mint yarn", "R1: …".
+        parted = apart or (bool(called and kind_of(one(called[-1]))) and founds(p, near=2))
+        alone = (found.strong and parted) or heads
         p.mode = "" if found.marked or p.mode == "notes" or alone or under else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
