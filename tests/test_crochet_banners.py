@@ -9,7 +9,7 @@ from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.language.tree import Action, Pattern, Section
 from tambour.crochet.places.terse import spoken
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.shades import shade
+from tambour.crochet.printed.yarns.shades import shade
 
 ROUNDS = "Rnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3-5: sc around (12)\n"
 

@@ -7,7 +7,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.tree import Pattern
-from tambour.crochet.printed.beyond import EDGED
+from tambour.crochet.printed.between.beyond import EDGED
 from tambour.crochet.printed.choose import read
 
 TOY = "Toy\n\nMATERIALS\nYarn: A = blue, B = cream\n\n"

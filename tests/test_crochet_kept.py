@@ -11,7 +11,7 @@ from tambour.crochet.language.finishes import Eye
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern
 from tambour.crochet.page.hers import hers
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.mend import _inside
+from tambour.crochet.printed.parts.mend import _inside
 
 TOY = (
     "Toy\n\nMATERIALS\nYarn: worsted\nContrast A White\nContrast B Black\nContrast C Red\n\nABBREVIATIONS\n"

@@ -8,7 +8,7 @@ from tambour.core.errors import Text
 from tambour.core.graph import BACK, BOTH, FRONT
 from tambour.crochet.graph.build import Built, build
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.looped import WHICH
+from tambour.crochet.printed.parts.looped import WHICH
 
 RULES = {
     "All rounds are worked in back loops only.": "-bbbbb",

@@ -15,7 +15,7 @@ from tambour.crochet.language.tree import Action, Group
 from tambour.crochet.page.own import pattern
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.cursor import NotUnderstood
-from tambour.crochet.printed.motifs import begun
+from tambour.crochet.printed.rounds.motifs import begun
 from test_crochet_build import made
 
 HEAD = "Blanket\n\nMATERIALS\nYarn: A = white, B = red\n\nSQUARE\n"

@@ -11,7 +11,7 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.shades import dyed, shade
+from tambour.crochet.printed.yarns.shades import dyed, shade
 from tambour.crochet.yarns import swatch_of
 
 DATA = Path(__file__).parent / "data" / "newcomer"

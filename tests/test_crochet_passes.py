@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from tambour.crochet.printed import passes
-from tambour.crochet.printed.inner import evened
 from tambour.crochet.printed.tokens import rows
-from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.printed.wordings import passes
+from tambour.crochet.printed.wordings.inner import evened
+from tambour.crochet.printed.wordings.vocabulary import vocabulary
 
 TEXTS = sorted(path for path in (Path(__file__).parent / "data").rglob("*.txt"))
 WORDINGS = """\

@@ -7,7 +7,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.choose import account, read
-from tambour.crochet.printed.pasted import ours
+from tambour.crochet.printed.sheet.pasted import ours
 
 
 def _read(text: str) -> Pattern:

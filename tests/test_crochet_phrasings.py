@@ -6,7 +6,7 @@ from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.page.own import pattern as own
 from tambour.crochet.printed.choose import account, read
-from tambour.crochet.printed.shades import YARNS, listed, shade
+from tambour.crochet.printed.yarns.shades import YARNS, listed, shade
 from tambour.crochet.yarns import hook_of, swatch_of
 
 START = "Toy\n\nBODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. Join with sl st to first sc. 6 sc.\n"

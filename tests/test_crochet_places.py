@@ -23,7 +23,7 @@ from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
 from tambour.crochet.places.terse import spoken
 from tambour.crochet.printed.pattern import read_printed
-from tambour.crochet.printed.shades import YARNS, dyed, listed
+from tambour.crochet.printed.yarns.shades import YARNS, dyed, listed
 from tambour.crochet.words.gloss import english
 from tambour.run import craft, run
 

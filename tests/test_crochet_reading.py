@@ -14,7 +14,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.page.instructions import instructions
 from tambour.crochet.printed.choose import account, read
 from tambour.crochet.printed.pattern import NOTHING, read_printed
-from tambour.crochet.printed.shades import YARNS
+from tambour.crochet.printed.yarns.shades import YARNS
 
 DATA = Path(__file__).resolve().parent / "data"
 MAKERS = sorted(p for folder in ("makers", "printed") for p in (DATA / folder).iterdir() if p.suffix in (".txt", ".md"))

@@ -12,10 +12,11 @@ import pytest
 
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.places import habits
-from tambour.crochet.printed import doubled, idioms, pasted, risings
 from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.sheet import pasted
 from tambour.crochet.printed.tokens import rows
-from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.printed.wordings import doubled, idioms, risings
+from tambour.crochet.printed.wordings.vocabulary import vocabulary
 from tambour.crochet.words.sayings import needed
 
 BEAR = """Bertie Bear

@@ -8,7 +8,7 @@ from tambour.core.errors import TambourError, Text
 from tambour.core.graph import BACK, BOTH
 from tambour.crochet.graph.build import build
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.shades import YARNS, shade
+from tambour.crochet.printed.yarns.shades import YARNS, shade
 
 BALL = "Toy\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc around. (12)\n"
 

@@ -11,8 +11,8 @@ from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Group, Item, Pattern
 from tambour.crochet.page.hers import Hers, hers
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.formed import complete
-from tambour.crochet.printed.shades import dyed, listed, shade
+from tambour.crochet.printed.parts.formed import complete
+from tambour.crochet.printed.yarns.shades import dyed, listed, shade
 
 TOP = "Pup\n\nMATERIALS\nContrast A White\nContrast B Black\nContrast C Red\n\nINSTRUCTIONS\n"
 BODY = "BODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"

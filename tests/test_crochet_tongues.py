@@ -5,7 +5,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.finishes import Placed
-from tambour.crochet.printed.assembly import eyes_listed
+from tambour.crochet.printed.between.assembly import eyes_listed
 from tambour.crochet.printed.choose import read
 
 
@@ -89,7 +89,7 @@ def test_colours_have_their_names_in_each_language() -> None:
         ("Tête\nAvec le bleu canard.\nT1 : 6 ms dans le CM (6)\n", "teal"),
         ("KOP - oudroze\nToer 1: 6 v in de MR (6)\n", "old rose"),
     ):
-        from tambour.crochet.printed.shades import shade
+        from tambour.crochet.printed.yarns.shades import shade
 
         graph = build(read(Text(text, "toy.txt"))).graph
         assert tuple(int(c) for c in graph.color[3][:3]) == shade(hue), text

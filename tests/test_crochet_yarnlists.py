@@ -5,7 +5,7 @@ from __future__ import annotations
 from tambour.core.errors import Text
 from tambour.crochet.language.tree import Action, Pattern
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.shades import dyed, listed
+from tambour.crochet.printed.yarns.shades import dyed, listed
 
 BODY = """
 Body

@@ -33,7 +33,7 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.printed.tokens import rows
-from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.printed.wordings.vocabulary import vocabulary
 from tambour.crochet.yarns import SQUARE, WEIGHTS, class_of, swatch_of
 from tambour.embroidery import CRAFT as EMBROIDERY
 from tambour.embroidery.columns.stroke import from_stroke

@@ -29,7 +29,7 @@ def live(piece: Plush) -> Packed:
     """
     from tambour.crochet.finish.features import joined, meshes
     from tambour.crochet.graph.check import doubtful, size_edit, tech_edit
-    from tambour.crochet.printed.colors import yarns_named
+    from tambour.crochet.printed.yarns.colors import yarns_named
     from tambour.crochet.yarn.surface import lined, lining
 
     not_empty(piece)

@@ -207,7 +207,7 @@ def _named(report: dict[str, Any], words: str = "") -> dict[str, str]:
 
     from tambour.color import plain_name
     from tambour.core.rgb import hexed, unhexed
-    from tambour.crochet.printed.colors import yarns_named
+    from tambour.crochet.printed.yarns.colors import yarns_named
 
     found = set(re.findall(r"#[0-9a-f]{6}\b", json.dumps(report)))
     found |= {hexed(t["rgb"]) for t in report.get("threads", ()) if "rgb" in t}

@@ -13,7 +13,7 @@ from tambour.core.check import Array
 from tambour.core.graph import StitchGraph
 from tambour.core.rgb import RGB
 from tambour.crochet.model.rounds import WORDS, Rounds
-from tambour.crochet.printed.shades import YARNS
+from tambour.crochet.printed.yarns.shades import YARNS
 from tambour.crochet.yarn.course import leaning
 from tambour.crochet.yarn.loops import LEAN
 from tambour.geometry.closest import Tree, nearest

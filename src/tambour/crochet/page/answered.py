@@ -9,8 +9,8 @@ from tambour.core.errors import Span
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places.assembling import TO
 from tambour.crochet.places.names import Made, mentions, one
-from tambour.crochet.printed.bases import UNKNOWN
-from tambour.crochet.printed.doubts import BESIDE
+from tambour.crochet.printed.parts.bases import UNKNOWN
+from tambour.crochet.printed.rounds.doubts import BESIDE
 from tambour.crochet.words.gloss import english
 
 if TYPE_CHECKING:

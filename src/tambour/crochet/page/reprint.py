@@ -14,7 +14,7 @@ from tambour.crochet.page.hers import Hers
 from tambour.crochet.page.ordered import names_in
 from tambour.crochet.page.wording import PartText, Words
 from tambour.crochet.piece import Plush
-from tambour.crochet.printed.doubts import BESIDE
+from tambour.crochet.printed.rounds.doubts import BESIDE
 
 
 def reprinted(piece: Plush) -> Words | None:

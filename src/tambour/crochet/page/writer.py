@@ -22,8 +22,8 @@ from tambour.crochet.page.plain import fills, reach
 from tambour.crochet.page.rounds import Rounds, all_of, hues_of, sentence
 from tambour.crochet.page.wording import PartText, Row, Words
 from tambour.crochet.page.written import Written, sections
-from tambour.crochet.printed.colors import yarns_named
-from tambour.crochet.printed.shades import spoken
+from tambour.crochet.printed.yarns.colors import yarns_named
+from tambour.crochet.printed.yarns.shades import spoken
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import told
 from tambour.crochet.words.table import Terms

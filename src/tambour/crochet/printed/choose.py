@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Final
 from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.language.parse import parse
 from tambour.crochet.language.tree import Line, Pattern
-from tambour.crochet.printed.pasted import ours
 from tambour.crochet.printed.restated import restated
+from tambour.crochet.printed.sheet.pasted import ours
 
 if TYPE_CHECKING:
     from tambour.crochet.printed.state import Height
@@ -92,7 +92,7 @@ def _read(text: Text, max_stitches: int, strict: bool, high: Height | None, size
 def _printed(text: Text, max_stitches: int, strict: bool, high: Height | None, size: str | None) -> Pattern:
     """A printed pattern, in the size that is asked for."""
     from tambour.crochet.printed.pattern import read_printed
-    from tambour.crochet.printed.sizes import sized, sizes
+    from tambour.crochet.printed.sheet.sizes import sized, sizes
     from tambour.crochet.printed.state import plain_height
 
     known = sizes(text.text)

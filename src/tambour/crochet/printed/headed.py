@@ -8,38 +8,38 @@ from typing import Final
 from tambour.core.errors import Span, did_you_mean
 from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Group, Line
-from tambour.crochet.printed.alongside import bordered
-from tambour.crochet.printed.anew import anew
-from tambour.crochet.printed.bases import MOST as _MOST
-from tambour.crochet.printed.bases import base, based, elsewhere, frilled, is_first
-from tambour.crochet.printed.beyond import again_made, another, edged_again, edging, not_drawn
-from tambour.crochet.printed.bridged import over_two
-from tambour.crochet.printed.conventions import convention
-from tambour.crochet.printed.counted import count_in
-from tambour.crochet.printed.crocheted import crocheted_in
+from tambour.crochet.printed.between.beyond import again_made, another, edged_again, edging, not_drawn
+from tambour.crochet.printed.between.conventions import convention
+from tambour.crochet.printed.between.put import ended, eyed, finishing, sews, stuffed
+from tambour.crochet.printed.between.remarks import remark
+from tambour.crochet.printed.between.unread import NOT_UNDERSTOOD, instructs
 from tambour.crochet.printed.cursor import NotUnderstood
-from tambour.crochet.printed.doings import works
-from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.established import established
-from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import Head
-from tambour.crochet.printed.hung import on_loops
-from tambour.crochet.printed.items import EVENED, evens
-from tambour.crochet.printed.items import works as works_some
-from tambour.crochet.printed.lengthened import lengthened
-from tambour.crochet.printed.mend import is_start
-from tambour.crochet.printed.motifs import chained
-from tambour.crochet.printed.moved import Moved
-from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.put import ended, eyed, finishing, sews, stuffed
-from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.reckoned import worked as stitches_of
-from tambour.crochet.printed.remarks import remark
-from tambour.crochet.printed.reworked import again, allotted
+from tambour.crochet.printed.parts.alongside import bordered
+from tambour.crochet.printed.parts.anew import anew
+from tambour.crochet.printed.parts.bases import MOST as _MOST
+from tambour.crochet.printed.parts.bases import base, based, elsewhere, frilled, is_first
+from tambour.crochet.printed.parts.bridged import over_two
+from tambour.crochet.printed.parts.counted import count_in
+from tambour.crochet.printed.parts.crocheted import crocheted_in
+from tambour.crochet.printed.parts.established import established
+from tambour.crochet.printed.parts.formed import worked_in
+from tambour.crochet.printed.parts.hung import on_loops
+from tambour.crochet.printed.parts.lengthened import lengthened
+from tambour.crochet.printed.parts.mend import is_start
+from tambour.crochet.printed.parts.part import Draft
+from tambour.crochet.printed.parts.reworked import again, allotted
+from tambour.crochet.printed.parts.stripes import lay, planned, without
+from tambour.crochet.printed.rounds.doings import works
+from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.items import EVENED, evens
+from tambour.crochet.printed.rounds.items import works as works_some
+from tambour.crochet.printed.rounds.motifs import chained
+from tambour.crochet.printed.rounds.moved import Moved
+from tambour.crochet.printed.rounds.reader import Body
+from tambour.crochet.printed.rounds.reckoned import worked as stitches_of
 from tambour.crochet.printed.state import State
-from tambour.crochet.printed.stripes import lay, planned, without
 from tambour.crochet.printed.tokens import Token
-from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 
 _HINTED: Final = 20  # errors that suggestions are looked for
 

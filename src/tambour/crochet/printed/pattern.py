@@ -17,32 +17,32 @@ from tambour.crochet.places.halves import joined as halved
 from tambour.crochet.places.onward import joined, worked_on
 from tambour.crochet.places.toy import Assembled
 from tambour.crochet.places.tubes import closed
-from tambour.crochet.printed import pairs
-from tambour.crochet.printed.accounted import beside, headed
-from tambour.crochet.printed.assembly import UNPLACED, assembled, eyes_listed, told, with_places
-from tambour.crochet.printed.bases import UNKNOWN
-from tambour.crochet.printed.colors import dyeing
-from tambour.crochet.printed.conventions import in_loops
-from tambour.crochet.printed.crocheted import hang
+from tambour.crochet.printed.between.assembly import UNPLACED, assembled, eyes_listed, told, with_places
+from tambour.crochet.printed.between.conventions import in_loops
+from tambour.crochet.printed.between.dyed import colors_told, yarns_told
+from tambour.crochet.printed.between.lines import goes_on, rounds, stop_between, wrapped
+from tambour.crochet.printed.between.opening import alone, founds, opening
+from tambour.crochet.printed.between.prose import WRAPPED, text_line
+from tambour.crochet.printed.between.spoken_of import spoken_of
+from tambour.crochet.printed.between.unseen import unseen_told
 from tambour.crochet.printed.cursor import Cursor
-from tambour.crochet.printed.dyed import colors_told, yarns_told
-from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
-from tambour.crochet.printed.hued import by_hue, layered
-from tambour.crochet.printed.hung import hang_on
-from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
-from tambour.crochet.printed.mend import Found, agreed, mended
-from tambour.crochet.printed.naming import nameless_is
-from tambour.crochet.printed.notes import Heading, plain_name
-from tambour.crochet.printed.opening import alone, founds, opening
-from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.prose import WRAPPED, text_line
-from tambour.crochet.printed.spoken_of import spoken_of
+from tambour.crochet.printed.parts import pairs
+from tambour.crochet.printed.parts.accounted import beside, headed
+from tambour.crochet.printed.parts.bases import UNKNOWN
+from tambour.crochet.printed.parts.crocheted import hang
+from tambour.crochet.printed.parts.formed import complete
+from tambour.crochet.printed.parts.hued import by_hue, layered
+from tambour.crochet.printed.parts.hung import hang_on
+from tambour.crochet.printed.parts.mend import Found, agreed, mended
+from tambour.crochet.printed.parts.naming import nameless_is
+from tambour.crochet.printed.parts.part import Draft
+from tambour.crochet.printed.sheet.notes import Heading, plain_name
 from tambour.crochet.printed.state import Height, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unheaded import unheaded
-from tambour.crochet.printed.unseen import unseen_told
+from tambour.crochet.printed.yarns.colors import dyeing
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
 

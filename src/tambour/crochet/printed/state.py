@@ -12,57 +12,57 @@ from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.places.names import SIDED, one
-from tambour.crochet.printed import tongues
-from tambour.crochet.printed.assembly import Said
-from tambour.crochet.printed.banners import banners
-from tambour.crochet.printed.bilingual import first
-from tambour.crochet.printed.changes import changes
-from tambour.crochet.printed.colors import Palette
-from tambour.crochet.printed.columns import columned
-from tambour.crochet.printed.divided import divided
-from tambour.crochet.printed.doubled import doubled
-from tambour.crochet.printed.doubts import numbered_each
-from tambour.crochet.printed.echoes import echoed
-from tambour.crochet.printed.edges import ended
+from tambour.crochet.printed.between.assembly import Said
 from tambour.crochet.printed.heads import head
-from tambour.crochet.printed.idioms import plainly
-from tambour.crochet.printed.leaves import leaves
-from tambour.crochet.printed.legend import explained
-from tambour.crochet.printed.looped import Loops
-from tambour.crochet.printed.lumps import unlumped
-from tambour.crochet.printed.moved import Moved
-from tambour.crochet.printed.naming import heading_above, made_of, spoken_of
-from tambour.crochet.printed.newyarn import respun
-from tambour.crochet.printed.notes import Heading
-from tambour.crochet.printed.numerals import numerals
-from tambour.crochet.printed.pages import pages
-from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.pasted import pasted
-from tambour.crochet.printed.recognise import recognised
+from tambour.crochet.printed.parts.looped import Loops
+from tambour.crochet.printed.parts.naming import heading_above, made_of, spoken_of
+from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.restated import lettered
-from tambour.crochet.printed.risings import counting
-from tambour.crochet.printed.runs import listed, parted
-from tambour.crochet.printed.shades import spoken
-from tambour.crochet.printed.shells import shelled
-from tambour.crochet.printed.shorthand import numbered, signs, unlisted
-from tambour.crochet.printed.stepped import stepped
-from tambour.crochet.printed.tables import tabled
-from tambour.crochet.printed.tallies import tallied
-from tambour.crochet.printed.titled import titled
+from tambour.crochet.printed.rounds.doubts import numbered_each
+from tambour.crochet.printed.rounds.moved import Moved
+from tambour.crochet.printed.sheet.banners import banners
+from tambour.crochet.printed.sheet.bilingual import first
+from tambour.crochet.printed.sheet.changes import changes
+from tambour.crochet.printed.sheet.columns import columned
+from tambour.crochet.printed.sheet.leaves import leaves
+from tambour.crochet.printed.sheet.legend import explained
+from tambour.crochet.printed.sheet.lumps import unlumped
+from tambour.crochet.printed.sheet.notes import Heading
+from tambour.crochet.printed.sheet.numerals import numerals
+from tambour.crochet.printed.sheet.pages import pages
+from tambour.crochet.printed.sheet.pasted import pasted
+from tambour.crochet.printed.sheet.recognise import recognised
+from tambour.crochet.printed.sheet.runs import listed, parted
+from tambour.crochet.printed.sheet.stepped import stepped
+from tambour.crochet.printed.sheet.tables import tabled
+from tambour.crochet.printed.sheet.tallies import tallied
+from tambour.crochet.printed.sheet.titled import titled
+from tambour.crochet.printed.sheet.told import told
+from tambour.crochet.printed.sheet.twofold import once
+from tambour.crochet.printed.sheet.wrapping import small, torn, unwrapped
 from tambour.crochet.printed.tokens import Row, Token, rows
-from tambour.crochet.printed.told import told
-from tambour.crochet.printed.twofold import once
-from tambour.crochet.printed.vocabulary import vocabulary
-from tambour.crochet.printed.wools import learned
-from tambour.crochet.printed.wrapping import small, torn, unwrapped
+from tambour.crochet.printed.wordings import tongues
+from tambour.crochet.printed.wordings.divided import divided
+from tambour.crochet.printed.wordings.doubled import doubled
+from tambour.crochet.printed.wordings.echoes import echoed
+from tambour.crochet.printed.wordings.edges import ended
+from tambour.crochet.printed.wordings.idioms import plainly
+from tambour.crochet.printed.wordings.newyarn import respun
+from tambour.crochet.printed.wordings.risings import counting
+from tambour.crochet.printed.wordings.shells import shelled
+from tambour.crochet.printed.wordings.shorthand import numbered, signs, unlisted
+from tambour.crochet.printed.wordings.vocabulary import vocabulary
+from tambour.crochet.printed.wordings.wools import learned
+from tambour.crochet.printed.yarns.colors import Palette
+from tambour.crochet.printed.yarns.shades import spoken
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
 
 if TYPE_CHECKING:
-    from tambour.crochet.printed.crocheted import Held
-    from tambour.crochet.printed.hued import Hue
-    from tambour.crochet.printed.hung import Hung
-    from tambour.crochet.printed.stripes import Plan
+    from tambour.crochet.printed.parts.crocheted import Held
+    from tambour.crochet.printed.parts.hued import Hue
+    from tambour.crochet.printed.parts.hung import Hung
+    from tambour.crochet.printed.parts.stripes import Plan
 
 _KNOWN: Final = (
     "around",

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from tambour.crochet.printed.headlines import headed
-from tambour.crochet.printed.items import bare_count
-from tambour.crochet.printed.moved import moved
+from tambour.crochet.printed.between.headlines import headed
+from tambour.crochet.printed.rounds.items import bare_count
+from tambour.crochet.printed.rounds.moved import moved
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 

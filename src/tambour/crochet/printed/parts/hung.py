@@ -1,0 +1,112 @@
+"""Printed patterns, hung: skirts, frills and the like, worked on the loops that a round of another part left, and hanging from it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.graph.built import Built
+from tambour.crochet.graph.spots import spots_in
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.cursor import Cursor, NotUnderstood
+from tambour.crochet.printed.parts.bases import foundation
+from tambour.crochet.printed.parts.part import Draft
+from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.reader import Body
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+_HANGS: Final = frozenset("frill flounce peplum petticoat ruffle hem fringe valance".split())
+"""What hangs from loops besides clothes."""
+_LOOPS: Final = re.compile(
+    r"\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|pick|with|using)\w*\b[^.;]{0,80}?"
+    r"\b(?:(?:front|back|free|unused|unworked|remaining|left|exposed)\s+){1,3}(?:loops?|lps?)\b[^.;]{0,40}?\b(?:round|rnd|rd|r)s?\.?\s*(?P<number>\d+)"
+    r"|\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|with|using)\w*\b[^.;]{0,80}?\b(?:flo|blo|fl|bl)s?\b[^.;]{0,40}?"
+    r"\b(?:round|rnd|rd|r)s?\.?\s*(?P<other>\d+)",
+    re.IGNORECASE,
+)
+"""Where yarn is joined in loops that a round left: "Join C in a free front loop of Rnd 29 at the back"."""
+_YARNS: Final = ("join", "attach", "with", "using", "yarn", "color", "colour", "rejoin", "in")
+
+
+@dataclass(frozen=True)
+class Hung:
+    """A part that hangs from the loops of round ``number`` of ``owner``, and where that is said."""
+
+    part: Draft
+    owner: Draft
+    number: int
+    span: Span
+
+
+def hanging(name: str) -> bool:
+    """Whether what is called so hangs from loops: a skirt, a frill."""
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", name.lower())]
+    return any(kind_of(w) == "worn" or w in _HANGS for w in words)
+
+
+def joined_in_loops(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence under the heading of a skirt joins its yarn in the loops of a round; its colour is that of the part's."""
+    if p.heading is None or not p.parts or not hanging(p.heading.name):
+        return False
+    span = Span(tokens[0].start, tokens[-1].end)
+    found = _LOOPS.search(p.source.text.text[span.start : span.end])
+    if found is None:
+        return False
+    p.hanging = int(found["number"] or found["other"]), span
+    for at, token in enumerate(tokens):
+        before = tokens[at - 1].word if at else ""
+        shade = p.palette.color(Cursor(tokens, at)) or (
+            p.palette.letter(Cursor(tokens, at), at) if before in _YARNS and token.word != "a" else None
+        )
+        if shade is not None:
+            p.lead.append(Line((Action("color", token.span, 1, None, shade[0]),), token.span, False))
+            break
+    return True
+
+
+def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | None:
+    """The first round of a part that hangs, on a chain that stands for the loops it is worked on; None where these are not known, or do not
+    fit."""
+    assert p.hanging is not None
+    (number, span), p.hanging = p.hanging, None
+    owner = next((d for d in reversed(p.parts) if d is not draft and not d.merged and d.edges.get(number, 0) > 2), None)
+    if owner is None:
+        return None
+    edge = owner.edges[number]
+    try:
+        read = decided(p.source, tokens, p.palette, edge, p.phrases, times)
+    except NotUnderstood:
+        return None
+    if not read.fit and read.stated is not None:
+        return None
+    ring = (*foundation(edge, span, False), Action("join", span))  # chains that lift the yarn after it are none of it
+    draft.lines.append(Line(ring, span, False))
+    draft.edge, draft.flat = edge, False
+    p.hung.append(Hung(draft, owner, number, span))
+    return read
+
+
+def hang_on(built: Built, hung: list[Hung]) -> list[Placed]:
+    """Their records: all round on the stitches of that round, by their first."""
+    spots, made = spots_in(built), list[Placed]()
+    for one_ in hung:
+        part, onto = one_.part.name, one_.owner.name
+        if part not in spots.parts or onto not in spots.parts:
+            continue
+        k, first = spots.round_at(spots.parts[onto], one_.number), spots.rounds_of(spots.parts[part])
+        if k is not None and first:
+            made.append(
+                Placed(
+                    part,
+                    Spot(onto, float(one_.number), None, one_.span),
+                    by=float(first[0]),
+                    through=len(spots.stitches(k)),
+                    span=one_.span,
+                )
+            )
+    return made

@@ -1,0 +1,1 @@
+"""Printed patterns, rounds: the words of one round → items; its doubts and its counts."""

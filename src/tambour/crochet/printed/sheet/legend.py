@@ -1,0 +1,104 @@
+"""Printed patterns, the legend: words that a text gives to stitches, rings and rounds in a list of its own, before they are read: ``x – single crochet``,
+``KA - amigurumi ring``, ``MR = magischer Ring, fM = feste Masche``."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.wordings.vocabulary import Vocabulary
+
+_LOOKED_AT: Final = 150  # lines
+_SIGNS: Final = ("=", "-", ":")
+_PARTS: Final = (",", ";", "|", "•", "·")
+_SHORT: Final = 5  # letters of a word that stands for another
+_KEYS: Final = frozenset(("ring", "stitch", "round", "back loops", "front loops"))
+_SHAPED: Final = re.compile(
+    r"(?:work )?(?P<into>[23]) (?:(?:sc|x) )?(?:in|into) (?:1|one|same|the same|1 st|one st|the same st|same st)|(?P<of>[23]) (?:(?:sc|x) )?(?:tog|together)"
+)
+"""What an increase or a decrease is, in figures: "V = 2 in 1", "A = 2 tog"."""
+_MOST: Final = 7  # words that say what one means
+
+
+def explained(rows: list[Row], vocabulary: Vocabulary) -> None:
+    """Teaches ``vocabulary`` the short words that the lines of a list explain, where it knows what stands behind them."""
+    for row in rows[:_LOOKED_AT]:
+        if len(row.tokens) > 2 and any(t.word in _SIGNS for t in row.tokens[1:]):
+            for some in _parted(row.tokens):
+                _one(some, vocabulary)
+
+
+def _parted(tokens: list[Token]) -> list[list[Token]]:
+    """What a line explains, one by one."""
+    made: list[list[Token]] = [[]]
+    depth = 0
+    for token in tokens:
+        depth += (token.word in ("(", "[")) - (token.word in (")", "]"))
+        if depth <= 0 and (token.word in _PARTS or (token.word == "/" and not token.glued and len(made[-1]) > 2)):
+            made.append([])
+        else:
+            made[-1].append(token)
+    return made
+
+
+def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
+    """Teaches one word: "sb - single crochet"; none that means as much already, and no letter of a yarn."""
+    if (turned := _behind(tokens, vocabulary)) is not None:
+        vocabulary.mean(*turned)
+        return
+    at = 2 if len(tokens) > 3 and tokens[1].word == "." and tokens[1].glued else 1
+    if len(tokens) < at + 2 or tokens[at].word not in _SIGNS or (tokens[at].glued and tokens[at + 1].glued):
+        return
+    name = tokens[0]
+    if name.kind != "word" or len(name.word) > _SHORT or not name.word.isalpha():
+        return
+    end = next(
+        (k for k in range(at + 1, len(tokens)) if tokens[k].kind == "mark" and tokens[k].word not in ("-", "'")),
+        len(tokens),
+    )
+    if end < len(tokens) and tokens[end].word == "=" and tokens[at].word == ":":
+        _one(tokens[at + 1 :], vocabulary)  # "Key: sc = single crochet"
+        return
+    shaped = _SHAPED.fullmatch(" ".join(t.word for t in tokens[at + 1 : end]))
+    if shaped is not None:
+        many = shaped["into"] or shaped["of"]
+        vocabulary.define(name.word, ("inc" if shaped["into"] else "dec") + ("" if many == "2" else many))
+        return
+    said = vocabulary.read(tokens[at + 1 : end]) if 0 < end - at - 1 <= _MOST else []
+    if (
+        len(said) > 1
+        and said[-1].value in _LOOPS
+        and not any(t.kind in ("stitch", "number", "mark") for t in said[:-1])
+    ):
+        said = said[-1:]  # "tbl: through the back loop"
+    if len(said) != 1 or said[0].word == name.word:
+        return
+    meant = said[0]
+    known = vocabulary.read([name])
+    if known and (known[0].kind, known[0].value) == (meant.kind, meant.value):
+        return
+    if known and known[0].kind == meant.kind == "stitch" and end - at == 2 and len(tokens[at + 1].word) <= _SHORT:
+        return  # "US readers: dc = sc, tr = dc" says what others call them
+    if meant.kind == "stitch" and meant.value is not None and meant.value != name.word:
+        vocabulary.define(name.word, meant.value)
+    elif meant.kind == "key" and meant.value in _KEYS and not (known and known[0].kind == "key"):
+        vocabulary.mean(name.word, meant.value)
+
+
+def _behind(tokens: list[Token], vocabulary: Vocabulary) -> tuple[str, str] | None:
+    """The short word that stands behind what it means, a loop of a stitch: "back loop: BKL", "brins arrière : BAR"; and that meaning."""
+    sign = next((k for k in range(1, len(tokens)) if tokens[k].word in _SIGNS), 0)
+    if not sign or len(tokens) != sign + 2:
+        return None
+    short = tokens[sign + 1]
+    if short.kind != "word" or not 1 < len(short.word) <= _SHORT or not short.word.isalpha() or not short.capital:
+        return None
+    said = vocabulary.read(tokens[:sign])
+    known = vocabulary.read([short])
+    if len(said) != 1 or said[0].kind != "key" or said[0].value not in _LOOPS or (known and known[0].kind != "word"):
+        return None
+    return short.word, said[0].value
+
+
+_LOOPS: Final = ("back loops", "front loops")

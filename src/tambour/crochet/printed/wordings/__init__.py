@@ -1,0 +1,1 @@
+"""Printed patterns, wordings: the words of a line put as most patterns have them, before it is read."""

@@ -1,0 +1,1 @@
+"""Printed patterns, yarns: colours by their names, letters and lists."""
