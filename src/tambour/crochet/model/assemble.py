@@ -84,19 +84,30 @@ class Put:
     likely: dict[Key, float]
 
 
+def chain(pieces: list[Piece], key: Key) -> list[Key]:
+    """What a part is sewn to, and what that is sewn to, up to the body that stands by itself; of that nothing."""
+    made: list[Key] = []
+    while pieces[key[0]].bases[key[1]] is not None:
+        key = pieces[key[0]].onto[key[1]]
+        made.append(key)
+    return made
+
+
 def placed(
     pieces: list[Piece],
     nudges: Nudges,
     even: Mirror | None,
     fine: bool,
     stays: dict[Key, Placed] | None = None,
-    had: dict[Key, list[Placed]] | None = None,
+    had: dict[Key, list[dict[Key, Placed]]] | None = None,
 ) -> Put:
-    """Every piece sewn on.
+    """Every piece sewn on. Where each belongs is told from the body that all of it hangs on: what is sewn to a limb would else have all that
+    the limb leans, or is turned about itself, too much, and add its own.
 
     even : the model is its own mirror image there, left and right, and a pair is sewn on by the same words, each as the other's image
     fine : places and angles as near as can be; else those that there are words for
-    stays : how those are sewn on that are not to be looked for; had : ways that are not to be found again, of a pair by its first
+    stays : how those are sewn on that are not to be looked for
+    had : how all were sewn on, where a part's ways are not to be found again, of a pair its first's; of what hangs on a limb those where that was as it is now
     """
     stays, had = stays or {}, had or {}
     likely: dict[Key, float] = {}
@@ -114,8 +125,16 @@ def placed(
 
     def barred(key: Key) -> tuple[list[tuple[Spot, float, float, float]], list[float]]:
         """The ways of a part that are not to be found again, and the turns about itself that are as good as none."""
-        ways = [(one.spot, one.tilt, one.towards, one.across) for one in had.get(key, [])]
+        below = chain(pieces, key)[:-1]
+        same = [all(said[on] == steps[on][0] for on in below) for said in had.get(key, [])]
+        once = [said[key] for said, one in zip(had.get(key, []), same) if one]
+        ways = [(one.spot, one.tilt, one.towards, one.across) for one in once]
         return ways, unseen(alone, graph.faces[built.shell], *held_by[key]) if ways else []
+
+    def stand(body: Key, x: Array) -> tuple[Array, Array]:
+        """The turn and the shift from where a body belongs to where it is in x (N, 3)."""
+        part = graph.parts[number[body]]
+        return fit(goal[part.start : part.end], x[part.start : part.end], np.ones(part.end - part.start))
 
     waiting = [(k, c) for k, p in enumerate(pieces) for c, base in enumerate(p.bases) if base is not None]
     standing = set(number) - set(waiting)
@@ -127,9 +146,7 @@ def placed(
             piece, base = pieces[k], pieces[k].bases[c]
             assert base is not None
             there, here = graph.parts[number[piece.onto[c]]], graph.parts[number[k, c]]
-            turn, shift = fit(
-                goal[there.start : there.end], joined.x[there.start : there.end], np.ones(there.end - there.start)
-            )
+            turn, shift = stand(chain(pieces, (k, c))[-1], joined.x)
             aim, to = nudges.get((k, c), (np.eye(3), np.zeros(3)))
             point = turned(base + to, turn) + shift
             other = pieces[piece.onto[c][0]].name(piece.onto[c][1])
@@ -185,9 +202,7 @@ def placed(
                     spot = spot_of(spots, joined.x, on, one.spot.part, points[key], one.spot.round, fine=fine)
                     steps[key] = replace(one, spot=spot), steps[key][1]
                 continue
-            below = graph.parts[number[pieces[k].onto[0]]]
-            fabric = slice(below.start, below.end)
-            turn, shift = fit(goal[fabric], joined.x[fabric], np.ones(below.end - below.start))
+            turn, shift = stand(chain(pieces, (k, 0))[-1], joined.x)
             plane = Mirror(turned(even.point, turn) + shift, turned(even.normal, turn))
             if found := paired(wishes[k, 0], wishes[k, 1], plane, *barred((k, 0))):
                 for key, how_ in zip(both, found[1]):

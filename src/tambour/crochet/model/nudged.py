@@ -10,7 +10,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.finish.joining import clashes, prepare
-from tambour.crochet.model.assemble import Key, Nudges, Piece
+from tambour.crochet.model.assemble import Key, Nudges, Piece, chain
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.posed import ALONG
 from tambour.crochet.model.rounds import pattern
@@ -38,7 +38,7 @@ UNEVEN = 0.05
 class Rest:
     """Parts sewn on and at rest together. first, x : (N, 3) as they were put, and at rest; far : the mean distance from the model;
     price : that and what else is wrong; crowd : whose seams are in each other's way; off : how far each part that is sewn on lies off,
-    against what it is sewn to, and what else is wrong with it; uneven : as of :func:`uneven`."""
+    against its body, and what else is wrong with it; uneven : as of :func:`uneven`."""
 
     first: Array
     x: Array
@@ -92,18 +92,17 @@ def uneven(pieces: list[Piece], x: Array, plane: Mirror) -> float:
 def missing(
     pieces: list[Piece], x: Array, seen: Array, through: Array, crowd: list[tuple[Placed, Placed]]
 ) -> dict[Key, float]:
-    """How far off, in stitches, every part lies that is sewn on, at rest at x (N, 3), against what it is sewn to (which may itself not lie
-    where it belongs yet): the root of the mean square, along the fabric by less than across it; more where its fabric passes
+    """How far off, in stitches, every part lies that is sewn on, at rest at x (N, 3), against the body that it hangs on: the root of the mean square, along the fabric by less than across it; more where its fabric passes
     through other, as a share of its own, or its seam is in another's way.
 
     seen, through : (K,) a node of every face that is seen, and of those that others pass through
     """
     span, made = spans(pieces), dict[Key, float]()
     for (k, c), own in span.items():
-        piece, on = pieces[k], pieces[k].onto[c]
+        piece = pieces[k]
         if piece.bases[c] is None:
             continue
-        goal = piece.lain[c]
+        goal, on = piece.lain[c], chain(pieces, (k, c))[-1]
         miss = against(x, own, span[on], pieces[on[0]].lain[on[1]]) - goal
         across = dot(miss, vertex_normals(goal, piece.tried.worked.graph.faces))
         far = math.sqrt(float((across**2 + ALONG * (miss**2).sum(1)).mean()))
@@ -121,7 +120,7 @@ def spans(pieces: list[Piece]) -> dict[Key, slice]:
 
 
 def against(x: Array, own: slice, on: slice, host: Array) -> Array:
-    """Where a part's nodes, ``own`` of x (N, 3), are once what it is sewn to, ``on``, lies at ``host``."""
+    """Where a part's nodes, ``own`` of x (N, 3), are once the body that it hangs on, ``on``, lies at ``host``."""
     turn, shift = fit(x[on], host, np.ones(len(host)))
     return turned(x[own], turn) + shift
 
@@ -134,7 +133,8 @@ def between(one: tuple[Array, Array] | None, other: tuple[Array, Array], step: f
 
 def nudged(pieces: list[Piece], first: Array, x: Array) -> tuple[Nudges, dict[Key, float]]:
     """Where parts are to be aimed next, so that they come to rest where they belong: as fabric gives way they come to lie elsewhere
-    than they were put, and will so again. Also how far out along itself each one lies.
+    than they were put, and will so again; what hangs on a limb gives way with that. Also how far out along itself each one lies,
+    of what hangs on a limb that is off by the lesser of what it is against the body and against that.
 
     first, x : (N, 3) all parts as they were put, and at rest together
     """
@@ -142,16 +142,23 @@ def nudged(pieces: list[Piece], first: Array, x: Array) -> tuple[Nudges, dict[Ke
     made: Nudges = {}
     far = dict.fromkeys(span, 0.0)
     for k, c in span:
-        base, goal, on = pieces[k].bases[c], pieces[k].lain[c], pieces[k].onto[c]
+        base, goal = pieces[k].bases[c], pieces[k].lain[c]
         if base is None:
             continue
-        host = pieces[on[0]].lain[on[1]]
-        put, own = (against(at, span[k, c], span[on], host) for at in (first, x))
+        below, there = chain(pieces, (k, c)), dict[Key, tuple[Array, Array]]()
+        for on in (below[-1], below[0]):
+            host = pieces[on[0]].lain[on[1]]
+            put, own = (against(at, span[k, c], span[on], host) for at in (first, x))
+            there[on] = put, own
         rim = len(goal) - pieces[k].tried.counts[-1]
         out = goal[0] - goal[rim:].mean(0)
         out = out / max(float(length(out)), 1e-9)
-        at_end, whole = (float(dot(own[n].mean(0) - goal[n].mean(0), out)) for n in (slice(rim, None), slice(None)))
-        far[k, c] = min(at_end, max(whole, 0.0))
+        lies = []
+        for _, own in there.values():
+            at_end, whole = (float(dot(own[n].mean(0) - goal[n].mean(0), out)) for n in (slice(rim, None), slice(None)))
+            lies.append(min(at_end, max(whole, 0.0)))
+        far[k, c] = min(lies, key=abs)
+        put, own = there[below[-1]]
         turn, shift = fit(put, own, np.ones(len(goal)))
         made[k, c] = turn.T, turned(base - shift, turn.T) - base
     return made, far

@@ -1,4 +1,5 @@
-"""Paired: the two of a pair sewn on by the same words: in one round, as many stitches from the middle of a side, leaning as each other's mirror image."""
+"""Paired: the two of a pair sewn on by the same words: in one round, as many stitches from the middle of a side, leaning as each other's mirror image,
+or as each has to so that they come to lie as that."""
 
 from __future__ import annotations
 
@@ -15,6 +16,9 @@ How = tuple[Spot, int, int]
 """A spot, the number of a lean among LEANED, and that of a turn about itself among WAYS."""
 NEAR = 6
 """So many stitches of a round are looked at more closely than by where the round itself lies."""
+OWN = 0.2
+"""What leans of their own have to win, in stitches and over both of a pair, to be worth their words: a part is worked the same way round
+as its twin, so it is none of its mirror images and may have to lean otherwise to come to lie as one."""
 IMAGE = [LEANED.index((tilt, -towards % 360)) for tilt, towards in LEANED]
 """Of every lean the number of its mirror image."""
 
@@ -25,19 +29,24 @@ def paired(
     """The best ways to sew on a pair by the same words, and the price of both; None where there is no place for that.
 
     plane : the mirror, as the hosts lie. How each is turned about itself is free: both are worked the same way, so a part that is not round
-    or bends is no mirror image of its twin
+    or bends is no mirror image of its twin; and how each leans, at the price of OWN
     had : ways of the first (spot, tilt, towards, turn) not to be found again, nor turned as is the ``same``
     """
     spots = [both for level in levels(one.host, one.near) for both in _opposite(one, two, plane, *level)]
     if not spots:
         return None
     here = priced(one, [a for a, _ in spots]).but(had, same).price
-    there = priced(two, [b for _, b in spots]).price[:, IMAGE]
-    price = here + there.min(2)[..., None]
-    s, k, a = (int(n) for n in np.unravel_index(int(price.argmin()), price.shape))
-    if not np.isfinite(price[s, k, a]):
+    there = priced(two, [b for _, b in spots]).price
+    own, its = here.min(2), there.min(2)
+    alike = own + its[:, IMAGE]
+    apart = own.min(1) + its.min(1) + OWN
+    s = int(np.minimum(alike.min(1), apart).argmin())
+    if not np.isfinite(min(alike[s].min(), apart[s])):
         return None
-    return float(price[s, k, a]), ((spots[s][0], k, a), (spots[s][1], IMAGE[k], int(there[s, k].argmin())))
+    k = int(alike[s].argmin())
+    one_, two_ = (k, IMAGE[k]) if alike[s, k] <= apart[s] else (int(own[s].argmin()), int(its[s].argmin()))
+    how = (spots[s][0], one_, int(here[s, one_].argmin())), (spots[s][1], two_, int(there[s, two_].argmin()))
+    return float(own[s, one_] + its[s, two_]), how
 
 
 def _opposite(one: Wish, two: Wish, plane: Mirror, number: float, k: int, nodes: Array) -> list[tuple[Spot, Spot]]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.model.assemble import Key, Nudges, Piece, Put, placed
+from tambour.crochet.model.assemble import Key, Nudges, Piece, Put, chain, placed
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.nudged import UNEVEN, Rest, alike, between, nudged, rested
 from tambour.crochet.model.rounds import Round
@@ -175,14 +175,16 @@ def sought(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, tim
                 aims[key] = between(seat.nudges.get(key), home[key], 0.5 ** (tries - 1)) if seats.fine else home[key]
         if plane is not None:
             aims = alike(seats.pieces, aims, plane)
-        had = {unit[0]: [seat.put.said[unit[0]] for seat in mine] for unit in units}
+        had = {unit[0]: [seat.put.said for seat in mine] for unit in units}
         stays: dict[Key, Placed] = {}
         put = placed(seats.pieces, seats.aimed(aims), plane, seats.fine, {}, had)
-        for unit in units:
+        for unit in sorted(units, key=lambda unit: len(chain(seats.pieces, unit[0]))):
             seat = best(unit)
             now = float(np.mean([seat.rest.off[key] for key in unit]))
             likely = float(np.mean([put.likely.get(key, 0.0) for key in unit]))
-            if last or likely > now + WORTH:
+            below = {on for key in unit for on in chain(seats.pieces, key)[:-1]}
+            # What it was best on may be sewn on in another way now.
+            if (last or likely > now + WORTH) and all(stays.get(on) == seat.put.said[on] for on in below):
                 stays |= {key: seat.put.said[key] for key in unit}
                 aims |= {key: seat.nudges[key] for key in unit if key in seat.nudges}
         put = placed(seats.pieces, seats.aimed(aims), plane, seats.fine, stays, had)
@@ -202,7 +204,7 @@ def changed(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, ti
     if not same:
         return
     now = min(same, key=lambda seat: seat.price)
-    had = {unit[0]: [seat.put.said[unit[0]] for seat in same] for unit in units}
+    had = {unit[0]: [seat.put.said for seat in same] for unit in units}
     size = {(k, c): len(goal) for k, p in enumerate(seats.pieces) for c, goal in enumerate(p.goals)}
     order: list[tuple[Key, ...]] = []
     for _ in range(times):
@@ -210,12 +212,13 @@ def changed(seats: Seats, units: list[tuple[Key, ...]], plane: Mirror | None, ti
             order = sorted(units, key=lambda unit: -sum(size[key] * now.rest.off[key] for key in unit))
         unit = order.pop(0)
         home = nudged(seats.pieces, now.rest.first, now.rest.x)[0]
-        aims = {**now.nudges, **{key: home[key] for key in unit}}
+        free = [key for key in now.put.said if set(unit) & {key, *chain(seats.pieces, key)}]
+        aims = {**now.nudges, **{key: home[key] for key in free}}
         if plane is not None:
             aims = alike(seats.pieces, aims, plane)
-        stays = {key: said for key, said in now.put.said.items() if key not in unit}
+        stays = {key: said for key, said in now.put.said.items() if key not in free}
         put = placed(seats.pieces, seats.aimed(aims), plane, seats.fine, stays, had)
-        had[unit[0]].append(put.said[unit[0]])
+        had[unit[0]].append(put.said)
         if seats.known(put):
             continue
         seats.rest(put, aims, plane is not None)
