@@ -925,6 +925,33 @@ def test_pairs_have_the_same_words_and_others_are_tried_only_where_they_lie_a_st
     assert not any(asked)
 
 
+def test_parts_put_again_in_the_same_words_are_not_brought_to_rest_again_and_that_try_goes_elsewhere(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    x = np.zeros((4, 3))
+    tried: Any = SimpleNamespace(counts=[4])
+    none: Any = None
+    body = Piece(Rounds("Body", 4), tried, none, 0.0, (x,), (x,), (None,), ((0, 0),))
+    leg = Piece(Rounds("Leg", 4), tried, none, 0.0, (x,), (x,), (x[0],), ((0, 0),))
+    came: list[str] = []
+
+    def put(pieces: Any, nudges: Any, even: Any, fine: bool, stays: Any = None, had: Any = None) -> Put:
+        number = float(len(had[1, 0])) if had else 0.0  # all at once it is found again and again
+        said = (stays or {}).get((1, 0), Placed("Leg", Spot("Body", number, 1.0)))
+        return Put([str(said.spot.round)], x, {(1, 0): said}, {(1, 0): 0.0})
+
+    def rest(pieces: Any, lines: Any, first: Any, *_: Any) -> Rest:
+        came.append(lines[0])
+        return Rest(first, x, 1.0 - 0.1 * float(lines[0]), 1.0 - 0.1 * float(lines[0]), [], {(1, 0): 0.5})
+
+    monkeypatch.setattr(seating, "placed", put)
+    monkeypatch.setattr(seating, "rested", rest)
+    monkeypatch.setattr(seating, "fitted", lambda piece, *_: piece)
+    monkeypatch.setattr(seating, "nudged", lambda *_: ({(1, 0): (np.eye(3), np.zeros(3))}, {(0, 0): 0.0, (1, 0): 0.0}))
+    seating.seated([body, leg], none, CrochetParams(), (5.0, 5.0), None)
+    assert len(set(came)) == len(came) == seating.ALL + seating.SOUGHT + seating.SINGLY
+
+
 def test_ways_that_a_part_was_sewn_on_are_not_found_again() -> None:
     rng = np.random.default_rng(3)
     table = Poses((Spot("A", 3.0, 1.0), Spot("A", 3.5, 2.0)), rng.random((2, len(LEANED), 8)))

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 ALL = 4
 """How often the parts are put together, all aimed by what all gave way."""
-SOUGHT, SINGLY, PAIRED = 3, 7, 9
+SOUGHT, SINGLY, PAIRED = 4, 7, 9
 """How often each part, or each pair, is then tried elsewhere, all at once, and keeps the best it had; and how often, after that, one by itself,
 kept where the whole comes nearer; and how often of a toy that has pairs."""
 SEEN, FREE, SINGLY_FREE = 1.0, 2, 5
@@ -54,22 +54,27 @@ def seated(
     nudges: Nudges = {}
     far: dict[Key, float] = {}
     pairs = [((k, 0), (k, 1)) for k, p in enumerate(pieces) if p.rounds.copies == 2 and p.bases[0] is not None]
-    mirror = plane if pairs else None
+    mirror, spare = plane if pairs else None, 0
     for k in range(ALL):
         if k in ROOTED:
             longer = [
                 fitted(p, [far[n, c] for c in range(len(p.goals))], params, stitch) for n, p in enumerate(seats.pieces)
             ]
-            seats.pieces = longer
+            if any(one is not p for one, p in zip(longer, seats.pieces)):
+                seats.pieces = longer
         aims = nudges if mirror is None else alike(seats.pieces, nudges, mirror)
-        now = seats.rest(placed(seats.pieces, seats.aimed(aims), mirror, seats.fine), aims, mirror is not None)
+        put = placed(seats.pieces, seats.aimed(aims), mirror, seats.fine)
+        if seats.known(put):  # in the same words it comes to rest as it did
+            spare += 1
+            continue
+        now = seats.rest(put, aims, mirror is not None)
         nudges, far = nudged(seats.pieces, now.first, now.x)
     seats.pieces = seats.best.pieces
     many = min(1.0, LARGE / sum(len(g) for p in pieces for g in p.goals))
     singles: list[tuple[Key, ...]] = [(key,) for key in seats.keys]
     both = {key for pair in pairs for key in pair} if mirror is not None else set()
     units = singles if mirror is None else [*pairs, *(one for one in singles if one[0] not in both)]
-    sought(seats, units, mirror, max(2, round(SOUGHT * many)))
+    sought(seats, units, mirror, max(2, round(SOUGHT * many)) + spare)
     changed(seats, units, mirror, max(2, round((SINGLY if mirror is None else PAIRED) * many)))
     if mirror is not None and seats.best.rest.uneven > SEEN:
         sought(seats, singles, None, max(2, round(FREE * many)))
