@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
 from tambour.crochet.graph.built import SAYS, Built, Worked
 from tambour.crochet.language.finishes import ASIDE, GUESSED, MEANT, UNSEEN, Eye, Placed
+from tambour.crochet.language.stitches import HEIGHTS
 from tambour.crochet.language.tree import Group, Item
 from tambour.crochet.words.table import TERMS, WHOLE
 
@@ -101,7 +103,7 @@ def _rounds(built: Built) -> Iterator[Problem]:
         leaves = k + 1 < len(built.worked) and not built.worked[k + 1].line.in_round
         follows = before.get(w.part, False)
         before[w.part] = w.line.stated_span is not None and w.line.stated_span in counted
-        if not w.ring or w.left == 0 or w.part in told or w.line.stated_span in counted or follows:
+        if not (w.ring or _past(w)) or w.left == 0 or w.part in told or w.line.stated_span in counted or follows:
             continue
         if w.left > 0 and (leaves or k == last[w.part] or _stops(w.line.items)):
             continue
@@ -109,6 +111,29 @@ def _rounds(built: Built) -> Iterator[Problem]:
         off = w.line.stated is not None and w.left > 0 and w.made != w.line.stated == w.made + w.left
         at = w.line.stated_span if off and w.line.stated_span is not None else w.line.span
         yield Problem(_uneven(w, off), "correct the repeats, or say where the round begins", at, built.pattern.text)
+
+
+def _past(w: Worked) -> bool:
+    """Whether a row of stitches alone runs past its end. One with strands, chains amid it or stitches into spaces has those to stand on."""
+    if w.left >= 0 or not w.below or w.line.gap or w.line.again is not None or not w.line.in_round:
+        return False
+    return all(name in _ALONG or _KINDLESS.sub("", name) in HEIGHTS for name in _names(w.line.items))
+
+
+_ALONG: Final = frozenset("turn lift inc dec color blo flo bl skip".split())
+_LIFTED: Final = frozenset("turn color blo flo bl".split())
+_KINDLESS: Final = re.compile(r"(?:inc|dec)\d*$|\d+$")
+
+
+def _names(items: tuple[Item, ...]) -> Iterator[str]:
+    before: Item | None = None
+    for item in items:
+        if isinstance(item, Group):
+            yield from _names(item.items)
+        else:  # a chain amid the row can be worked along; one before its stitches lifts it
+            lifts = before is None or (not isinstance(before, Group) and before.name in _LIFTED)
+            yield "lift" if item.name == "ch" and lifts else item.name
+        before = item
 
 
 def _uneven(w: Worked, off: bool) -> str:

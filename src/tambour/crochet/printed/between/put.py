@@ -180,10 +180,14 @@ def _sewn_on(tokens: list[Token]) -> list[Token]:
     return tokens[: next((k for k in range(sewn, len(words)) if words[k] in ("to", "onto")), len(words))]
 
 
+_BINDS: Final = frozenset("and or of the a an for with to in on und et y en".split())
+"""Words of a part's name that name nothing: the "and" of "stuff lightly and sew in place" is not HEAD AND BODY."""
+
+
 def _named(p: State, tokens: list[Token]) -> Draft | None:
     """The first part that words name."""
     words = [one(t.word) for t in tokens]
-    kinds = {draft.name: {one(w) for w in draft.name.lower().split()} for draft in p.parts}
+    kinds = {draft.name: {one(w) for w in draft.name.lower().split()} - _BINDS for draft in p.parts}
     return next((draft for word in words for draft in p.parts if len(word) > 1 and word in kinds[draft.name]), None)
 
 
