@@ -13,9 +13,9 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.places import habits
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.sheet import pasted
+from tambour.crochet.printed.sheet import pasted, tellings
 from tambour.crochet.printed.tokens import rows
-from tambour.crochet.printed.wordings import doubled, idioms, risings
+from tambour.crochet.printed.wordings import doubled, idioms, newyarn, risings
 from tambour.crochet.printed.wordings.vocabulary import vocabulary
 from tambour.crochet.words.sayings import needed
 
@@ -170,6 +170,7 @@ def test_other_words_are_the_same_work(way: str, plain) -> None:
         (r"one|two", {"one", "two"}),
         (r"(?P<b>\( )?last(?(b) \))", {""}),
         (r"[a(]?none\.", {"none."}),
+        (r"sc,? ?\(? ?counts", {"counts"}),
     ],
 )
 def test_the_letters_that_an_expression_needs(said: str, letters: set[str]) -> None:
@@ -191,6 +192,8 @@ def test_no_saying_is_passed_over_that_a_line_has() -> None:
         pasted._SAYINGS,
         risings._RULES,
         habits._RULES,
+        newyarn._YARNS,
+        tellings._TELLINGS,
     ):
         for line in lines:
             likely, k = set(), sayings.next(line)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 import numpy as np
 
 from tambour.core.check import Array
@@ -93,7 +95,7 @@ def assemble(
         at = (edges[:, 1] == root) & (kind == THROUGH)
         whole, posts = count * width / (2.0 * np.pi), int(at.sum()) * width / (2.0 * np.pi)
         rest[at] = np.maximum(rest[at], np.maximum(posts, np.minimum(whole, rest[at] + OPEN * width)))
-    faces = np.array(hook.faces, np.int32).reshape(-1, 3)
+    faces = np.fromiter(chain.from_iterable(hook.faces), np.int32, 3 * len(hook.faces)).reshape(-1, 3)
     stretch = np.array(hook.face_stretch, np.int64)
     for number, count in enumerate(np.bincount(stretch, minlength=len(hook.stretches.all))):
         hook.stretches.all[number].faces = int(count)

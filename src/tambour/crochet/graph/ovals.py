@@ -59,8 +59,8 @@ def turned(count: int, half: float, radius: float, stand: Array) -> Array:
     for tries in (64, 32):
         starts = best + step * (np.arange(tries) - tries // 2) / tries
         every = stadium((own + starts[:, None]).ravel(), half, radius).reshape(tries, count, 2)
-        off = [float(one.sum()) for one in (every - stand) ** 2]
-        best, step = float(starts[int(np.argmin(off))]), 2.0 * step / tries
+        off = ((every - stand) ** 2).reshape(tries, -1).sum(1)
+        best, step = float(starts[int(off.argmin())]), 2.0 * step / tries
     return stadium(own + best, half, radius)
 
 

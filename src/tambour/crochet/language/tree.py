@@ -94,6 +94,9 @@ class Line:
     def rounds(self) -> Iterator[Line]:
         """The rounds that it is, one by one, with their numbers; those worked again as they are written elsewhere."""
         if self.again is None:
+            if self.times == 1 and self.times_span is None:
+                yield self
+                return
             for k in range(self.times):
                 yield replace(self, times=1, times_span=None, number=None if self.number is None else self.number + k)
             return

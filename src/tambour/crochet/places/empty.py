@@ -27,7 +27,7 @@ _SPOKEN: Final = re.compile(
     r"stuff|\bfilling\b|fib(?:er|re)[ -]?fil|\bfill (?:it|them)\b|\bpoly[ -]?(?:ester[ -]?)?fil|\b(?:toy|cushion|soft|polyester) fill|\bfill (?:lightly|firmly)"
     r"|\b(?:pillow|cushion) (?:form|pad|insert|inner)|\bwadding\b|\bbatting\b|\bkapok\b|\bpellets\b"
     r"|\bfill\w*\b[^.\n]{0,40}\bwith\b[^.\n]{0,30}\b(?:fib(?:er|re)\w*|rice|beans?|lavender|wool|cotton|scraps|sand|catnip|poly\w*)\b"
-    r"|\w*watte\b|stopf|\bfüll|\b\w*bourr|\brempli|\bouate|\bgarni(?:r|ssez)\b|\brellen|\bguata\b|\b(?:op)?vul(?:len|ling)?\b|vulling"
+    r"|watte\b|stopf|\bfüll|bourr|\brempli|\bouate|\bgarni(?:r|ssez)\b|\brellen|\bguata\b|\b(?:op)?vul(?:len|ling)?\b|vulling"
 )
 """Stuffing, in five languages, as a noun of the materials or as what hands do."""
 _DRAWN: Final = 4

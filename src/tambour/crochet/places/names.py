@@ -125,8 +125,7 @@ class Made:
     @cached_property
     def words(self) -> list[str]:
         """The words of its name, singular, without small ones and numbers."""
-        found = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
-        return [w for w in found if w not in _FILLER and not w.isdigit()]
+        return list(_words(self.name))
 
     @cached_property
     def noun(self) -> int:
@@ -220,6 +219,13 @@ def one(word: str) -> str:
     return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith(("ss", "us")) else word
 
 
+@lru_cache(maxsize=1024)
+def _words(name: str) -> tuple[str, ...]:
+    """The words of a part's name, singular, without small ones and numbers."""
+    found = [one(w) for w in _WORD.findall(name.lower().replace("_", " "))]
+    return tuple(w for w in found if w not in _FILLER and not w.isdigit())
+
+
 @lru_cache(maxsize=4096)
 def kind_of(word: str) -> str:
     """The kind that a word (singular) names; compounds by their end ("hindleg", "Hinterbein"); "" for none."""
@@ -272,8 +278,10 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
     """How many words from ``at`` on name parts, and which: the longest run of a name's words that holds its noun."""
     best, hit = 0, list[Made]()
     for part in parts:
-        name = [] if _NAMELESS.match(part.name) else part.words
-        for begin in range(len(name)):
+        name = part.words
+        if words[at][3] not in name or _NAMELESS.match(part.name):
+            continue
+        for begin in (k for k, word in enumerate(name) if word == words[at][3]):
             n = 0
             i = at
             while i < len(words) and begin + n < len(name) and (
@@ -289,7 +297,7 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
             )
             if noun and begin + n > part.noun and _elsewhere(name[max(begin, part.noun) : begin + n], part, parts):
                 continue  # "the top of the head" is no "fleece on top of head" where there is a head
-            if n and noun and name[begin] == words[at][3]:
+            if n and noun:
                 if i - at > best:
                     best, hit = i - at, [part]
                 elif i - at == best and part not in hit:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.places.habits import ROUND, plainly
@@ -154,6 +155,7 @@ class Where:
         return bool(self.rounds or self.beside or self.end or self.words & _SIDES)
 
 
+@lru_cache(maxsize=256)
 def where(text: str) -> Where:
     """What ``text`` (in small letters) says of a place."""
     rounds = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.places import face
@@ -77,6 +78,12 @@ _FEATURE: Final = re.compile(
 """A face's feature without a verb: "Two short lashes on the outside of each eye"."""
 
 
+@lru_cache(maxsize=64)
+def _words(names: tuple[str, ...]) -> frozenset[str]:
+    """The words of parts' names."""
+    return frozenset(w for name in names for w in Made(name, 1).words)
+
+
 def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     """Where a verb is left out of a sentence, and which: sewn on what names a part, embroidered what names a motif of a face; None where
     none is wanted. names : of the parts that are known."""
@@ -86,7 +93,7 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     feature = _FEATURE.match(low)
     if feature is not None and not VERB.search(low) and (where(low).says or re.search(r"\beyes?\b", low)):
         return feature.start("bare"), "embroider "
-    known = {w for name in names for w in Made(name, 1).words}
+    known = _words(tuple(names))
     bare = _BARE.match(low) if len(low) < _LONG and not VERB.search(low) and not _WORKS.search(low) else None
     if bare is not None and where(low).says:
         words = [one(w) for w in bare["name"].split()]
@@ -133,7 +140,7 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     return (at, verb) if part and _AT.match(low[at:]) else None
 
 
-def _put_there(found: re.Match[str], known: set[str]) -> tuple[int, str] | None:
+def _put_there(found: re.Match[str], known: frozenset[str]) -> tuple[int, str] | None:
     """The verb before a part that stands straight before its rounds."""
     words = [one(w) for w in found["name"].split()]
     if words[-1] == "eye":

@@ -94,20 +94,20 @@ def rows(text: str) -> list[Row]:
             tokens, start, last = [], at + 1, at + 1
             continue
         word, end = found[0], found.end()
+        capital = word[0].isupper()
         word = word if word.isascii() else word.translate(_SHOWN) or word
         value: Any = None
         if kind == "word":
-            word = word.lower().replace("’", "'")
+            word = word.lower()
             if not word.isascii():
+                word = word.replace("’", "'")
                 word = unicodedata.normalize("NFKC", word).translate(_TURKISH)  # ligatures of a typeset page
             if (
                 len(word) > 1 and word[-1] == "в" and word[:-1].isascii()
             ):  # "6 scв ring", a page put into English by a machine
-                tokens.append(
-                    Token("word", word[:-1], at, end - 1, None, bool(tokens) and at == last, found[0][0].isupper())
-                )
+                tokens.append(Token("word", word[:-1], at, end - 1, None, bool(tokens) and at == last, capital))
                 word, at = "in", end - 1
-            word = word.removesuffix("'s").rstrip("'")
+            word = word.removesuffix("'s").rstrip("'") if "'" in word else word
             if word == "a" and found[0] == "A" and tokens:
                 value = "A"  # it may be a yarn's letter, where an article would be small
         elif kind == "number":
@@ -121,7 +121,6 @@ def rows(text: str) -> list[Row]:
             word = _DASHES.get(word, _MARKS.get(word, word))
         if word == "\\" or word in _UNSEEN:
             continue
-        capital = found[0][0].isupper()
         tokens.append(Token(kind or "mark", word, at, end, value, bool(tokens) and at == last, capital))
         last = end
     made.append(_row(tokens, start, len(text)))

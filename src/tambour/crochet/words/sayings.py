@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import Final, Generic, TypeVar
 
 Meant = TypeVar("Meant")
 _PIECE: Final = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\((?:\?(?:P<\w+>|:|<?[=!]))?|\{\d*,?\d*\}|.", re.DOTALL)
-_UNKNOWN: Final = re.compile(r"\(\?(?!P<|:|<?[=!])")
-"""Groups that are not looked into: conditions, flags, names of what stood before, comments."""
+_DEEP: Final = 2
+"""Of so many of an expression's runs of plain letters it is seen whether a line has them."""
 
 
 class Sayings(Generic[Meant]):
@@ -21,10 +22,12 @@ class Sayings(Generic[Meant]):
         self.n = len(self._each)
         self._last = "", 0  # the words that were asked about last, and which of them these may hold
         # Of a hundred sayings a line has one or none: which it cannot have is seen by the letters that they need.
-        self._having: dict[str, int] = {}
+        self._having: list[dict[str, int]] = [{} for _ in range(_DEEP)]
         for k, (said, _) in enumerate(self._each):
-            for letters in needed(said):
-                self._having[letters] = self._having.get(letters, 0) | 1 << k
+            runs = needs(said)[:_DEEP]
+            for having, run in zip(self._having, (*runs, *[("",)] * (_DEEP - len(runs)))):
+                for letters in run:
+                    having[letters] = having.get(letters, 0) | 1 << k
 
     def __getitem__(self, k: int) -> tuple[re.Pattern[str], Meant]:
         said, meant = self._each[k]
@@ -42,18 +45,22 @@ class Sayings(Generic[Meant]):
 
     def _likely(self, words: str) -> int:
         """Which of them ``words`` may hold, a bit each."""
-        found = 0
-        for letters, some in self._having.items():
-            if letters in words:
-                found |= some
-        return found
+        likely = -1
+        for having in self._having:
+            found = 0
+            for letters, some in having.items():
+                if letters in words:
+                    found |= some
+            likely &= found
+        return likely
 
 
-def needed(said: str) -> tuple[str, ...]:
-    """Letters of which some stand in whatever an expression finds: of its runs of plain letters the longest; "" where none is needed."""
-    if _UNKNOWN.search(said):
-        return ("",)
+def needs(said: str) -> list[tuple[str, ...]]:
+    """Letters of which some stand in whatever an expression finds, for each of its runs of plain letters, the longest first; "" where none is
+    needed. Conditions, flags, names of what stood before and comments are not looked into."""
     pieces = [*_PIECE.findall(said), ")"]
+    if any(piece == "(" and behind[0] == "?" for piece, behind in pairwise(pieces)):
+        return [("",)]
     open_: list[tuple[str, list[tuple[str, ...]], list[tuple[str, ...]]]] = [("(", [], [("",)])]
     for piece, behind in zip(pieces, [*pieces[1:], ""]):
         _, branches, runs = open_[-1]
@@ -69,14 +76,20 @@ def needed(said: str) -> tuple[str, ...]:
             kind = open_.pop()[0]
             found = tuple(dict.fromkeys(w for some in (*branches, max(runs, key=_rare)) for w in some))
             if not open_:
-                return ("",) if "" in found else found
+                runs = sorted({run for run in runs if "" not in run}, key=lambda run: (*_rare(run), run), reverse=True)
+                return (runs or [("",)]) if not branches else [("",) if "" in found else found]
             looks = kind[-1] in "=!"
             open_[-1][2].extend([("",) if optional or looks or "" in found else found, ("",)])
         elif letter and not optional:
             runs[-1] = (runs[-1][0] + letter,) if len(runs[-1]) == 1 else (letter,)
         else:
             runs.append(("",))
-    return ("",)
+    return [("",)]
+
+
+def needed(said: str) -> tuple[str, ...]:
+    """Of such letters those that the fewest lines have."""
+    return needs(said)[0]
 
 
 def _rare(letters: tuple[str, ...]) -> tuple[int, int]:

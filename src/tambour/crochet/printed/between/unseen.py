@@ -61,7 +61,7 @@ def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: li
     for span in sorted(kept, key=lambda s: s.start):
         for m in _SENTENCE.finditer(text, span.start, span.end):
             begin = m.start() + len(m[0]) - len(m[0].lstrip())
-            if text[:begin].rstrip().lower().endswith(" we"):
+            if text[:begin].rstrip()[-3:].lower() == " we":
                 continue  # "Now we attach the arms", which the next round does
             if (
                 begin in told

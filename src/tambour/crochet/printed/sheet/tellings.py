@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from tambour.crochet.words.sayings import Sayings
+
 _SC: Final = r"(?:single crochets?|double crochets?|singles?|doubles?|sc|dc|stitches|sts?|plain|plain stitches)"
 _RINGS: Final = r"(?:magic |adjustable |sliding |starting )?(?:ring|loop|circle)"
 _PLACE: Final = r"(?:each|every|all)(?: single)?(?: (?:one|sts?|stitch|stitches|\d+))?(?: of (?:them|these|those))?(?: around| round)?"
@@ -18,9 +20,9 @@ _TIMES: Final = (
 )
 
 
-def _whole(said: str) -> re.Pattern[str]:
+def _whole(said: str) -> str:
     """An expression that begins and ends where words do."""
-    return re.compile(rf"(?<!\S)(?:{said})(?!\S)")
+    return rf"(?<!\S)(?:{said})(?!\S)"
 
 
 _RING: Final = _whole(
@@ -70,22 +72,30 @@ COUNT: Final = re.compile(
 )
 
 
+_TELLINGS: Final = Sayings(
+    (
+        (_RING, "ring"),
+        (_ROW, "row"),
+        (_CURLED, "row"),
+        (_ROWS, "rows"),
+        (_EDGES, "edges"),
+        (_SHAPE, "shape"),
+        (_DOUBLE, "double"),
+        (_SPENT, "spent"),
+        (_TOGETHER, "joined"),
+        (_EVEN, "even"),
+        (_MORE, "more"),
+    )
+)
+
+
 def events(words: str) -> list[tuple[int, int, str, re.Match[str]]]:
     """The rounds that a sentence tells, in their order: where they stand, and of which kind each is."""
     found: list[tuple[int, int, str, re.Match[str]]] = []
-    for kind, said in (
-        ("ring", _RING),
-        ("row", _ROW),
-        ("row", _CURLED),
-        ("rows", _ROWS),
-        ("edges", _EDGES),
-        ("shape", _SHAPE),
-        ("double", _DOUBLE),
-        ("spent", _SPENT),
-        ("joined", _TOGETHER),
-        ("even", _EVEN),
-        ("more", _MORE),
-    ):
+    k = _TELLINGS.next(words)
+    while k < _TELLINGS.n:
+        said, kind = _TELLINGS[k]
+        k = _TELLINGS.next(words, k + 1)
         for one in said.finditer(words):
             a, b = one.span()
             if any(a < d and c < b for c, d, _, _ in found):

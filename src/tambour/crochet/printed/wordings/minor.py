@@ -77,9 +77,16 @@ def _closed(tokens: list[Token], at: int, before: Token | None) -> int:
     return end if end and (end == len(tokens) or tokens[end].word in _ENDS) else 0
 
 
+_MEANT: Final = frozenset(("more", "light", "in", "not", "for", 1))
+_SAID: Final = _CLOSING | {"per", "skipping", ","}
+"""What something begins with that may be left out."""
+
+
 def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Token], int] | None:
     """What stands for words that say nothing more, and where they end."""
     token, before = tokens[at], made[-1] if made else None
+    if token.value not in _MEANT and token.word not in _SAID:
+        return None
     values = [t.value for t in tokens[at : at + 4]]
     stands = before is None or before.word in _LISTED
     numbered = before is not None and before.kind == "number"
@@ -118,6 +125,8 @@ def _dropped(tokens: list[Token], at: int, made: list[Token]) -> tuple[list[Toke
 
 def _chained(tokens: list[Token], at: int) -> tuple[list[Token], int] | None:
     """``ch 3 over the next 3 sts`` and ``leave 3 sts, ch 3`` as "ch 3, skip 3"."""
+    if tokens[at].value not in ("ch", "leave"):
+        return None
     some = tokens[at : at + 6]
     values = [t.value for t in some]
     if len(some) > 4 and values[0] == "ch" and some[1].kind == "number" and values[2] == "over":

@@ -10,6 +10,7 @@ from typing import Final
 from tambour.crochet.printed.tokens import Row
 from tambour.crochet.printed.wordings.edges import placed, spoken
 from tambour.crochet.printed.yarns.shades import shade
+from tambour.crochet.words.sayings import Sayings
 
 _STOP: Final = r"(?= ?[.!;,()\[\]=|]| - |$)"
 _BEGINS: Final = r"(?:^|(?<=[.!;:,(\[|] )|(?<= - )|(?<=and )|(?<=then ))"
@@ -38,22 +39,19 @@ _TAKE: Final = (
 )
 _HERE: Final = r"from (?:here|now)(?: on| onwards?)?"
 _FOR: Final = r"(?: for (?:the )?(?:next|following) \w+ (?:rounds?|rnds?|rows?)(?= ?[.!;]|$))?"
-_TAKEN: Final = re.compile(
+_TAKEN: Final = (
     rf"{_BEGINS}(?:(?:now|then|and|again) )*(?:(?:(?:{_OLD})?(?:{_TAKE}|{_TURN_TO})|{_OLD}join) {_hue('a')}(?: again)?{_FOR}"
     rf"|colou?r change (?:: |- |to )?{_hue('b')}|(?:chang\w+|switch\w*|new) colou?r [(:-] ?{_hue('c')}(?: [)])?"
     rf"|{_hue('d')} {_HERE}|{_HERE} ?,? (?:(?:use|work in|work with|with|in|using) )?{_hue('e')}){_STOP}"
 )
-_LAST: Final = re.compile(
+_LAST: Final = (
     rf"{_BEGINS}(?:and )?(?:{_ends('n')} ?,? ?(?:{_OLD})?(?:{_TURN_TO}|join|attach) {_hue('a')}"
     rf"|(?:{_TURN_TO}|join|attach) {_hue('b')} ?,? ?{_ends('m')}"
     rf"|(?:finishing|finish|ending|end|completing|complete|closing) (?:the )?last (?:stitch|st|sc|round|rnd|loop|yo) (?:with|in) {_hue('c')}){_STOP}"
 )
-_REST: Final = re.compile(
-    rf"{_BEGINS}(?:and )?(?:the )?(?:remaining|rest of the|other|rest)(?: (?:sts?|stitches|sc))? (?:in|with) {_hue('a')}{_STOP}"
-)
-_ROUNDS: Final = re.compile(
-    rf"^(?P<lead>(?:next|work|crochet|sc) (?P<n>\w+) (?:more )?(?:rounds?|rnds?|rows?)(?: (?:even|plain|straight))?) (?:in|with|using) {_hue('a')}(?P<behind> ?[.:(\[,]|$)"
-)
+_REST: Final = rf"{_BEGINS}(?:and )?(?:the )?(?:remaining|rest of the|other|rest)(?: (?:sts?|stitches|sc))? (?:in|with) {_hue('a')}{_STOP}"
+_ROUNDS: Final = rf"^(?P<lead>(?:next|work|crochet|sc) (?P<n>\w+) (?:more )?(?:rounds?|rnds?|rows?)(?: (?:even|plain|straight))?) (?:in|with|using) {_hue('a')}(?P<behind> ?[.:(\[,]|$)"
+_YARNS: Final = Sayings(((_LAST, "last"), (_TAKEN, "taken"), (_REST, "rest"), (_ROUNDS, "rounds")))
 _NAMED: Final = ("color", "colour", "yarn", "contrast")
 _LOOKED: Final = frozenset(
     "end last cut break drop fasten attach tie join add bring introduce pick take back use start begin now continue carry go proceed keep work change changing "
@@ -67,14 +65,18 @@ def respun(rows: list[Row]) -> list[Row]:
 
 
 def _row(row: Row) -> Row:
-    for said in (_LAST, _TAKEN, _REST, _ROUNDS):
-        at = 0
-        while (found := said.search(words := " ".join(t.word for t in row.tokens), at)) is not None:
-            row, at = _put(row, words, found)
+    words = " ".join([t.word for t in row.tokens])
+    k = _YARNS.next(words)
+    while k < _YARNS.n:
+        (said, kind), at = _YARNS[k], 0
+        while (found := said.search(words, at)) is not None:
+            row, at = _put(row, kind, found)
+            words = " ".join([t.word for t in row.tokens])
+        k = _YARNS.next(words, k + 1)
     return row
 
 
-def _put(row: Row, words: str, found: re.Match[str]) -> tuple[Row, int]:
+def _put(row: Row, kind: str, found: re.Match[str]) -> tuple[Row, int]:
     """``row`` with what was found as most say it, and from which of its letters on to look for more."""
     said = found.groupdict()
     name = next(n for n in "abcde" if said.get(n))
@@ -88,9 +90,9 @@ def _put(row: Row, words: str, found: re.Match[str]) -> tuple[Row, int]:
         return row, found.end()  # "4th rnd: Pick up A." is read as it stands
     first, last = tokens[a], tokens[b - 1]
     yarn = tokens[c - 1 : d] if c and tokens[c - 1].word in _NAMED else tokens[c:d]
-    if found.re is _REST:
+    if kind == "rest":
         made = [*spoken("with", first, first), *yarn, *spoken(", sc around", last, last)]
-    elif found.re is _ROUNDS:
+    elif kind == "rounds":
         behind = said["behind"].strip()
         number = placed(tokens, *found.span("n"))[0]
         lead = [*spoken("next", first, first), *tokens[number : number + 1], *spoken("rounds : with", first, first)]
@@ -98,7 +100,7 @@ def _put(row: Row, words: str, found: re.Match[str]) -> tuple[Row, int]:
         made += tokens[b - 1 : b] if behind and behind != ":" else []
     else:
         number_said = next((said[k] for k in ("n", "nl", "m", "ml") if said.get(k)), "")
-        ends = f"at end of rnd {number_said}" if number_said else "in last st" if found.re is _LAST else ""
+        ends = f"at end of rnd {number_said}" if number_said else "in last st" if kind == "last" else ""
         made = [*spoken("change to", first, first), *yarn, *spoken(ends, last, last)]
     made[0] = replace(made[0], capital=first.capital)
     tokens = [*tokens[:a], *made, *tokens[b:]]

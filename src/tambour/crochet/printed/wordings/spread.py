@@ -74,10 +74,10 @@ def _placed(tokens: list[Token]) -> list[Token]:
     """``je 9 fM`` as "9 sc", ``je M 1 fM`` as "in each st 1 sc"."""
     made: list[Token] = []
     for k, token in enumerate(tokens):
-        after = tokens[k + 1 : k + 5]
+        after = tokens[k + 1 : k + 3] if token.value == "each" and token.kind == "key" else []
         before = made[-1] if made else None
         begins = before is None or (before.kind == "mark" and before.word in ",:(;*") or before.value == "and"
-        if token.value == "each" and token.kind == "key" and begins and len(after) > 1:
+        if begins and len(after) > 1:
             if after[0].kind == "number" and after[1].kind == "stitch":
                 continue
             if after[0].value == "stitch" and after[1].kind == "number":

@@ -29,6 +29,8 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
     """``tokens`` with "turn the work and carry on along the bottom of the chain:" as "other side,"."""
     made: list[Token] = []
     tokens = _in_bumps(tokens)
+    said = {w for t in tokens for w in (*t.word.split(" "), t.value)}
+    sided = not SIDES.isdisjoint(said) or ("back" in said and not said.isdisjoint(("along", "down")))
     foreign = any(_names_side(t) for t in tokens if t.value == "side")
     at, begun = 0, False
     while at < len(tokens):
@@ -65,7 +67,7 @@ def plainly_put(tokens: list[Token]) -> list[Token]:
             ]
             at = end  # "2 sc in same ch as first sc", where both sides end
             continue
-        begins = (
+        begins = sided and (
             not at or tokens[at - 1].word in _STOPS or tokens[at - 1].value == "and" or tokens[at - 1].kind == "number"
         )
         if begins and begun and (worked := _worked_there(tokens, at)):

@@ -259,7 +259,11 @@ class Vocabulary:
         return made
 
     def _longest(self, tokens: list[Token], at: int) -> tuple[int, str, Any] | None:
-        meanings = self._first.get(tokens[at].word, ())
+        meanings = self._first.get(tokens[at].word)
+        if meanings is None:
+            return None
+        if len(meanings) == 1 and len(meanings[0][0]) == 1:
+            return at + 1, *meanings[0][1:]
         near = [token.word for token in tokens[at + 1 : at + 3]]  # one sign may stand between two words
         for words, kind, value in meanings:
             if len(words) > 1 and words[1] not in near:
