@@ -13,7 +13,8 @@ from tambour.core.mesh import Mesh
 from tambour.crochet.model import loop
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.fronts import DRAWN, Fronts, fronts
-from tambour.crochet.model.loop import Task, pulled, resized
+from tambour.crochet.model.geodesic import distances
+from tambour.crochet.model.loop import Task, looped, pulled, resized, roundness
 from tambour.crochet.model.rounds import Round, Rounds, pattern
 from tambour.crochet.model.settled import together
 from tambour.crochet.model.whole import bodies
@@ -115,3 +116,43 @@ def test_parts_come_to_rest_by_themselves_once_however_often_they_are_sewn_on_el
     for one, other in zip(apart, same):
         assert (one[1] == other[1]).all() and (one[2] == other[2]).all()
     assert len(begun) - alone == alone // 2 + 1  # of the second toy only what was sewn
+
+
+def test_a_flat_limb_is_drawn_flat_before_its_rounds_are_corrected_and_keeps_their_lengths() -> None:
+    """An elephant's ears came out a quarter too short: as a bag that stands open they lay outside of the model, and rounds became shorter."""
+    k = 2.0 * np.pi * np.arange(48) / 48
+    lat = np.pi * np.arange(1, 24) / 24
+    ring = np.stack([np.cos(k), np.sin(k)], 1)
+    x = np.concatenate(
+        [
+            [[0.0, 7.0, 0.0]],
+            *(
+                np.column_stack(
+                    [5.0 * np.sin(a) * ring[:, 0], np.full(48, 7.0 * np.cos(a)), 1.5 * np.sin(a) * ring[:, 1]]
+                )
+                for a in lat
+            ),
+            [[0.0, -7.0, 0.0]],
+        ]
+    )
+    near, far = np.arange(48), (np.arange(48) + 1) % 48
+    sides = [
+        np.concatenate([np.column_stack([a, b, a + 48]), np.column_stack([b, b + 48, a + 48])])
+        for a, b in ((1 + 48 * r + near, 1 + 48 * r + far) for r in range(len(lat) - 1))
+    ]
+    last = 1 + 48 * (len(lat) - 1)
+    caps = [
+        np.column_stack([0 * near, 1 + far, 1 + near]),
+        np.column_stack([0 * near + len(x) - 1, last + near, last + far]),
+    ]
+    x, faces, _ = bodies(Mesh(x, np.concatenate([*sides, *caps])), [])[0]
+    tip = int(x[:, 1].argmax())
+    f = distances(x, faces, np.array([tip]))
+    rim = float(f.max()) * 0.6
+    way = fronts(x, faces, f, round(rim), tip, rim)
+    own = faces[(f[faces] < rim).all(1)]
+    task = Task("Ear", way, Target.of(x, own), np.array([0.0, 0.0, -1.0]), 0.5, "", CrochetParams(), (5.0, 5.0))
+    assert roundness(way) < loop.FLAT
+    _, best, _ = looped(task, None, 6)
+    assert best.distance.mean < 0.2, best.distance.mean
+    assert float(np.mean(best.wanted / way.girths)) > 0.95

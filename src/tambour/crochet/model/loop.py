@@ -139,14 +139,25 @@ def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tr
 
 def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Task, Tried, list[float]]:
     """The best rounds that corrections lead to, the task with the bends of these, and the mean distances on the way: of counts first,
-    then of bends, then of threads as well; of a flat limb all that stuffed, and once more without stuffing."""
+    then of bends, then of threads as well; of a flat limb that, and threads first, stuffed and without stuffing."""
     done, best, history = _worked(task, tried(task, task.way.girths) if first is None else first, tries)
     if task.way.closed or not _stuffed(task) or roundness(task.way) > FLAT:
         return done, best, history
-    empty = replace(task, stuffing="none", lines=None)  # what is flat bends by hand
-    empty, flat, more = _worked(empty, tried(empty, task.way.girths), tries)
-    history += more
-    return (empty, flat, history) if flat.price < best.price - GAIN else (done, best, history)
+    for stuffing in (task.stuffing, "none"):
+        pressed = replace(task, stuffing=stuffing, lines=None)  # what is flat bends by hand
+        flat, more = _flat(pressed, tried(pressed, task.way.girths), tries)
+        history += more
+        if flat.price < best.price - GAIN:
+            done, best = pressed, flat
+    return done, best, history
+
+
+def _flat(task: Task, first: Tried, tries: int) -> tuple[Tried, list[float]]:
+    """The best rounds of a flat part, pulled in by threads before any is corrected, and by small steps: a bag that stands open lies outside
+    of what is flat, and to correct that made all its rounds an eighth too short, as they stayed once threads drew it flat."""
+    best, history = pulled(task, first, tries)
+    best, more = _counted(task, best, tries, HELD)
+    return best, history + more
 
 
 def _stuffed(task: Task) -> bool:
