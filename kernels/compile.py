@@ -24,6 +24,9 @@ PROCESSOR = "x86-64-v2"
 against v3 in one process each), and nothing else gains: but they are .08 of the 1.27 s that 400 stitches in tones take, and
 .01 of .62 s at 120. A second copy, chosen when it is loaded, would save 2 % of a large piece, and is not made."""
 NUMBA = "numba==0.68.1"
+BESIDE = "tambour.crochet.settle."
+"""Kernels in which numbers that stand side by side in the text are reckoned side by side, in the order written: the bytes stay the
+same. Numba does so only when told, and then compiles longer."""
 BARE = {"cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}  # the native function alone
 TIDY = 24
 """Kernels after which memory is tidied: some 400 MB a process."""
@@ -59,6 +62,8 @@ def key(kernel: Any) -> str:
 
     made = hashlib.sha256(f"{fingerprint(kernel)} {NUMBA} {PROCESSOR}".encode())
     made.update(f"{BARE}{inspect.getsource(compiled)}".encode())
+    if kernel.name.startswith(BESIDE):
+        made.update(b"side by side")
     return f"{kernel.name}-{made.hexdigest()[:32]}"
 
 
@@ -129,6 +134,7 @@ def objects(share: int, claims: Path) -> None:
 
     claims : a folder that both know, where each puts a file of the kernel's name before it begins
     """
+    from numba import config
     from numba.core.codegen import JITCodeLibrary
 
     from tambour.core import kernels
@@ -142,6 +148,7 @@ def objects(share: int, claims: Path) -> None:
             (claims / kernel.name).touch(exist_ok=False)
         except FileExistsError:
             return
+        config.SLP_VECTORIZE = int(kernel.name.startswith(BESIDE))
         keep(kernel, *compiled(kernel))
         print("kernel", kernel.name, flush=True)
         if number % TIDY == TIDY - 1:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -56,3 +58,21 @@ def test_across_a_seam_only_the_stitches_sewn_are_joined() -> None:
     pairs, reach = contact.pairs(x, offsets, neighbours, 1.2, 1.0, 0.5)
     found = {tuple(p): h for p, h in zip(pairs.tolist(), reach)}
     assert found == {(2, 0): 1.0, (3, 0): 1.2, (3, 1): 1.2, (4, 0): 1.2, (4, 1): 1.2, (4, 2): 1.2}
+
+
+def test_a_stitch_that_is_sewn_to_one_two_edges_away_still_leads_on_from_there() -> None:
+    edges, sewn = np.array([[1, 0], [2, 1], [3, 2], [2, 0]], np.int32), np.array([False, False, False, True])
+    offsets, neighbours = contact.ragged(4, edges, sewn)
+    starts, nodes = contact.about(offsets, neighbours)
+    told = [set(nodes[a:b].tolist()) for a, b in pairwise(starts.tolist())]
+    assert told == [set(), {~0}, {~1, 0, ~0}, {~2, 1, 0}]
+    pairs, reach = contact.pairs(np.zeros((4, 3)), offsets, neighbours, 1.2, 1.0, 0.5)
+    assert {tuple(p): h for p, h in zip(pairs.tolist(), reach)} == {(3, 1): 1.0, (3, 0): 1.0}
+
+
+def test_what_is_about_each_stitch_finds_room_however_much_hangs_together() -> None:
+    n = 60  # each with each
+    edges = np.array([(i, j) for i in range(n) for j in range(i)], np.int32)
+    for sewn in (False, True):
+        starts, nodes = contact.about(*contact.ragged(n, edges, np.full(len(edges), sewn)))
+        assert all(set(nodes[starts[i] : starts[i + 1]].tolist()) == {~j for j in range(i)} for i in range(n))

@@ -20,7 +20,7 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.settle.body import State, centroid_counts, grown
 from tambour.crochet.settle.contact import ragged
-from tambour.crochet.settle.factor import dissect, factor
+from tambour.crochet.settle.factor import WIDE, _blocks, _columns, dissect, factor
 from tambour.crochet.settle.plain_steps import Building, first_place, steps
 from tambour.crochet.settle.rest import settle, tolerance
 from tambour.geometry.motion import fit
@@ -134,6 +134,18 @@ def test_the_factor_solves() -> None:
         q = np.sin(np.arange(3.0 * n))
         z = factor(offsets, neighbours, np.ones(len(neighbours)), np.diag(A).copy())(q)
         np.testing.assert_allclose(A @ z.reshape(-1, 3), q.reshape(-1, 3), atol=1e-8)
+
+
+def test_columns_with_the_same_rows_are_solved_together() -> None:
+    toy = toys.tube(24, 39)
+    offsets, neighbours = ragged(len(toy), toy.edges, np.zeros(len(toy.edges), bool))
+    parent, start, first = (np.empty(len(toy) + k, np.int64) for k in (0, 1, 1))
+    _columns(offsets, neighbours, dissect(offsets, neighbours), parent, start)
+    begins = first[: _blocks(parent, start, first)]
+    wide = np.diff(np.append(begins, len(toy)))
+    assert set(wide.tolist()) == {1, WIDE}
+    together = begins[wide == WIDE]
+    assert (start[together + WIDE] - start[together]).sum() > 0.4 * start[-1]
 
 
 def test_whoever_looks_on_sees_every_move_and_changes_nothing() -> None:

@@ -107,7 +107,8 @@ class Body:
 
 @dataclass(eq=False, slots=True)
 class State:
-    """What moves: positions x (N, 3) and centroids c (C, 3); and what was last measured."""
+    """What moves: positions x (N, 3) and centroids c (C, 3); what was last measured; the edges' offsets, and what
+    is about each node of that fabric (:func:`tambour.crochet.settle.contact.about`)."""
 
     x: Array
     c: Array
@@ -115,6 +116,7 @@ class State:
     pair: Array = field(default_factory=lambda: np.zeros((0, 2), np.int32))
     reach: Array = field(default_factory=lambda: np.zeros(0))
     listed: Array | None = None
+    about: tuple[Array, Array, Array] | None = None
     evaluations: int = 0
 
 
@@ -165,7 +167,8 @@ def displacement(body: Body, state: State, move_centroids: bool = True, held: Ar
             contact.lie(x, body.lying, SEAM_HEIGHT, body.touch, D)
     state.evaluations += 1
     if held is None or not held.any():
-        return D - D[body.root]
+        forces.against(body.root, D)
+        return D
     anchored = np.zeros(len(D), bool)
     anchored[body.root[held]] = True
     D -= np.where(anchored[body.root, None], 0.0, D[body.root])
@@ -181,8 +184,10 @@ def touching(body: Body, state: State) -> None:
     known = state.listed
     if known is not None and len(known) == len(x) and contact.strayed(x, known) < (0.5 * SKIN) ** 2:
         return
+    if state.about is None or state.about[0] is not body.offsets:
+        state.about = (body.offsets, *contact.about(body.offsets, body.neighbours))
     asked = (body.offsets, body.neighbours, body.reach, body.near, SKIN)
-    state.pair, state.reach = contact.pairs(x, *asked)
+    state.pair, state.reach = contact.pairs(x, *asked, state.about[1:])
     state.listed = x.copy()
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1, I8x2
 from tambour.core.check import Array
-from tambour.core.kernels import kernel
+from tambour.core.kernels import inner, kernel
 from tambour.core.threads import share
 
 BESIDE = 0.25
@@ -22,31 +22,58 @@ BLOCK = 2048
 
 
 @kernel
-def _share(offsets: Array, neighbours: Array, i: int, j: int) -> bool:
-    """Whether nodes i and j have a neighbour in common."""
-    a, ea, b, eb = offsets[i], offsets[i + 1], offsets[j], offsets[j + 1]
-    while a < ea and b < eb:
-        if neighbours[a] == neighbours[b] and neighbours[a] >= 0:
-            return True
-        if neighbours[a] < neighbours[b]:
-            a += 1
-        else:
-            b += 1
-    return False
+def about(offsets: I8x1, neighbours: I4x1) -> tuple[Array, Array]:
+    """Of every node i the nodes j < i fewer than four edges away, as ragged lists: (N + 1,), (K,), ~j where it is one edge.
+
+    Neighbours that are sewn stand as ~node: they are one edge away, but nothing is reached through them.
+    """
+    n = len(offsets) - 1
+    starts, out = np.zeros(n + 1, np.int64), np.empty(16 * n, np.int32)
+    named, queue, found = np.full(n, -1, np.int32), np.empty(n + 1, np.int32), 0
+    for i in range(n):
+        if found + i > len(out):
+            out = np.concatenate((out, np.empty(found + i, np.int32)))
+        queue[0], named[i], begin, end = i, i, 0, 1
+        for far in range(3):
+            upto = end
+            for q in range(begin, upto):
+                for k in range(offsets[queue[q]], offsets[queue[q] + 1]):
+                    j = neighbours[k]
+                    if j >= 0 and named[j] != i:
+                        named[j], queue[end] = i, j
+                        end += 1
+                        if j < i:
+                            out[found] = ~j if far == 0 else j
+                            found += 1
+            begin = upto
+        for k in range(offsets[i], offsets[i + 1]):  # last, for what is next to a node may be found another way
+            if neighbours[k] < 0 and ~neighbours[k] < i:
+                if found == len(out):
+                    out = np.concatenate((out, np.empty(found, np.int32)))
+                out[found] = neighbours[k]
+                found += 1
+        starts[i + 1] = found
+    return starts, out[:found].copy()
 
 
-@kernel
-def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
-    """Edges between nodes i and j: 1, 2, 3, or 4 for "more"; neighbours of a node rise, sewn ones stand as ~node."""
-    for k in range(offsets[i], offsets[i + 1]):
-        if neighbours[k] == j or neighbours[k] == ~j:
-            return 1
-    if _share(offsets, neighbours, i, j):
-        return 2
-    for k in range(offsets[i], offsets[i + 1]):
-        if neighbours[k] >= 0 and _share(offsets, neighbours, neighbours[k], j):
-            return 3
-    return 4
+@inner
+def _sorted(key: I8x1) -> Array:
+    """The order of whole numbers, equal ones as they stand: eleven bits at a time."""
+    n, most = len(key), key.max()
+    order, other, shift = np.arange(n), np.empty(n, np.int64), 0
+    while most >> shift:
+        begins = np.zeros(2049, np.int64)
+        for i in range(n):
+            begins[((key[i] >> shift) & 2047) + 1] += 1
+        for k in range(2048):
+            begins[k + 1] += begins[k]
+        for p in range(n):
+            k = (key[order[p]] >> shift) & 2047
+            other[begins[k]] = order[p]
+            begins[k] += 1
+        order, other = other, order
+        shift += 11
+    return order
 
 
 @kernel
@@ -65,7 +92,7 @@ def _cells(x: F8x2, cell: float) -> tuple[Array, Array, Array, Array]:
     for i in range(n):
         u, v, w = (x[i, 0] - low[0]) / cell, (x[i, 1] - low[1]) / cell, (x[i, 2] - low[2]) / cell
         key[i] = ((int(w) + 1) * ny + int(v) + 1) * nx + int(u) + 1
-    order = np.argsort(key, kind="mergesort")
+    order = _sorted(key)
     ranked = key[order]
     # Cells and rows are walked along side by side.
     cell_of, cells = np.empty(n, np.int64), np.empty(n, np.int64)
@@ -91,8 +118,8 @@ def _cells(x: F8x2, cell: float) -> tuple[Array, Array, Array, Array]:
 @kernel
 def _listed(
     x: F8x2,
-    offsets: I8x1,
-    neighbours: I4x1,
+    starts: I8x1,
+    about: I4x1,
     far: float,
     near: float,
     order: I8x1,
@@ -106,9 +133,16 @@ def _listed(
     skin: float,
 ) -> int:
     """The pairs of nodes i from ``first`` to ``last``, as of :func:`pairs`; gives how many there are: only so many as there is room for are filled in."""
-    found = 0
+    found, n = 0, len(x)
+    named = np.full(n, -1, np.int64)  # i: few edges from node i; -2 - i: next to it
     for i in range(first, last):
         c = cell_of[i]
+        for k in range(starts[i], starts[i + 1]):
+            j = about[k]
+            if j < 0:
+                named[~j] = -2 - i
+            else:
+                named[j] = i
         for row in range(9):
             for k in range(begins[c, row], ends[c, row]):
                 j = order[k]
@@ -118,9 +152,8 @@ def _listed(
                 r2 = dx * dx + dy * dy + dz * dz
                 if r2 >= (far + skin) ** 2:
                     continue
-                hops = _between(offsets, neighbours, i, j)
-                h = near if hops <= 3 else far
-                if hops == 1 or r2 >= (h + skin) ** 2:
+                h = near if named[j] == i else far
+                if named[j] == -2 - i or r2 >= (h + skin) ** 2:
                     continue
                 if found < len(out):
                     out[found, 0], out[found, 1], reach[found] = i, j, h
@@ -128,18 +161,27 @@ def _listed(
     return found
 
 
-def pairs(x: Array, offsets: Array, neighbours: Array, far: float, near: float, skin: float) -> tuple[Array, Array]:
+def pairs(
+    x: Array,
+    offsets: Array,
+    neighbours: Array,
+    far: float,
+    near: float,
+    skin: float,
+    known: tuple[Array, Array] | None = None,
+) -> tuple[Array, Array]:
     """The pairs i > j (M, 2) that may touch before anything has moved half the ``skin``, and the reach (M,) of each.
 
     x : (N, 3); offsets, neighbours : the edges as ragged lists, each rising; far, near : the two reaches, near for what is two or three edges apart
+    known : what is :func:`about` each node, if that was asked before
     """
     if not len(x):
         return np.zeros((0, 2), np.int32), np.zeros(0)
-    told = _cells(x, far + skin)
+    told, known = _cells(x, far + skin), about(offsets, neighbours) if known is None else known
     found: dict[int, tuple[Array, Array]] = {}
 
     def look(a: int, b: int) -> None:
-        asked, size = (x, offsets, neighbours, far, near, *told, a, b), 4 * (b - a)
+        asked, size = (x, *known, far, near, *told, a, b), 4 * (b - a)
         while a not in found:
             out, reach = np.empty((size, 2), np.int32), np.empty(size)
             size = int(_listed(*asked, out, reach, skin))

@@ -12,10 +12,12 @@ import numpy as np
 
 from tambour.core.arrays import F8x1, I4x1, I8x1
 from tambour.core.check import Array
-from tambour.core.kernels import kernel
+from tambour.core.kernels import inner, kernel
 
 LEAF = 24
 """Pieces of so few nodes are parted no further."""
+WIDE = 4
+"""Columns with the same rows that are solved for at once."""
 
 
 @kernel
@@ -195,30 +197,109 @@ def _numbers(
 
 
 @kernel
-def solve(start: I8x1, row: I4x1, value: F8x1, pivot: F8x1, order: I8x1, q: F8x1, z: F8x1) -> None:
-    """Solve for three columns: q and z (3 N,), a node's three values in a row."""
+def _blocks(parent: I8x1, start: I8x1, first: I8x1) -> int:
+    """Where blocks of WIDE columns begin, or of one, (N + 1,) in ``first``; how many there are. Columns of a block have the same rows
+    below it, as those of a separator do, and each its successors in the block above them."""
+    n, k, found = len(parent), 0, 0
+    while k < n:
+        wide = 1
+        while wide < WIDE and k + wide < n and parent[k + wide - 1] == k + wide:
+            before, after = start[k + wide] - start[k + wide - 1], start[k + wide + 1] - start[k + wide]
+            if before != after + 1:
+                break
+            wide += 1
+        first[found] = k
+        found += 1
+        k += wide if wide == WIDE else 1
+    first[found] = n
+    return found
+
+
+@kernel
+def solve(
+    start: I8x1, row: I4x1, value: F8x1, pivot: F8x1, order: I8x1, first: I8x1, blocks: int, q: F8x1, z: F8x1
+) -> None:
+    """Solve for three columns: q and z (3 N,), a node's three values in a row; four, one of them nothing, are reckoned
+    side by side."""
     n = len(order)
-    y = np.empty((n, 3))
+    y = np.zeros((n, 4))
     for k in range(n):
         i = 3 * order[k]
         y[k, 0], y[k, 1], y[k, 2] = q[i], q[i + 1], q[i + 2]
+    for block in range(blocks):
+        k = first[block]
+        if first[block + 1] == k + 1:
+            _down(start, row, value, y, k)
+            continue
+        for c in range(WIDE - 1):
+            for d in range(c + 1, WIDE):
+                v = value[start[k + c] + d - c - 1]
+                for t in range(4):
+                    y[k + d, t] -= v * y[k + c, t]
+        a0, a1, a2, a3 = y[k, 0], y[k, 1], y[k, 2], y[k, 3]
+        b0, b1, b2, b3 = y[k + 1, 0], y[k + 1, 1], y[k + 1, 2], y[k + 1, 3]
+        c0, c1, c2, c3 = y[k + 2, 0], y[k + 2, 1], y[k + 2, 2], y[k + 2, 3]
+        d0, d1, d2, d3 = y[k + 3, 0], y[k + 3, 1], y[k + 3, 2], y[k + 3, 3]
+        p, r, s, u = start[k] + 3, start[k + 1] + 2, start[k + 2] + 1, start[k + 3]
+        for e in range(start[k + 4] - u):
+            i, va, vb, vc, vd = np.uint64(row[u + e]), value[p + e], value[r + e], value[s + e], value[u + e]
+            y0 = y[i, 0] - va * a0 - vb * b0 - vc * c0 - vd * d0
+            y1 = y[i, 1] - va * a1 - vb * b1 - vc * c1 - vd * d1
+            y2 = y[i, 2] - va * a2 - vb * b2 - vc * c2 - vd * d2
+            y3 = y[i, 3] - va * a3 - vb * b3 - vc * c3 - vd * d3
+            y[i, 0], y[i, 1], y[i, 2], y[i, 3] = y0, y1, y2, y3
     for k in range(n):
-        a, b, c = y[k, 0], y[k, 1], y[k, 2]
-        for p in range(start[k], start[k + 1]):
-            i, v = row[p], value[p]
-            y[i, 0] -= v * a
-            y[i, 1] -= v * b
-            y[i, 2] -= v * c
-    for k in range(n - 1, -1, -1):
-        a, b, c = y[k, 0] / pivot[k], y[k, 1] / pivot[k], y[k, 2] / pivot[k]
-        for p in range(start[k], start[k + 1]):
-            i, v = row[p], value[p]
-            a -= v * y[i, 0]
-            b -= v * y[i, 1]
-            c -= v * y[i, 2]
-        y[k, 0], y[k, 1], y[k, 2] = a, b, c
+        for t in range(4):
+            y[k, t] /= pivot[k]
+    for block in range(blocks - 1, -1, -1):
+        k = first[block]
+        if first[block + 1] == k + 1:
+            _up(start, row, value, y, k)
+            continue
+        a0, a1, a2, a3 = y[k, 0], y[k, 1], y[k, 2], y[k, 3]
+        b0, b1, b2, b3 = y[k + 1, 0], y[k + 1, 1], y[k + 1, 2], y[k + 1, 3]
+        c0, c1, c2, c3 = y[k + 2, 0], y[k + 2, 1], y[k + 2, 2], y[k + 2, 3]
+        d0, d1, d2, d3 = y[k + 3, 0], y[k + 3, 1], y[k + 3, 2], y[k + 3, 3]
+        p, r, s, u = start[k] + 3, start[k + 1] + 2, start[k + 2] + 1, start[k + 3]
+        for e in range(start[k + 4] - u):
+            i, va, vb, vc, vd = np.uint64(row[u + e]), value[p + e], value[r + e], value[s + e], value[u + e]
+            y0, y1, y2, y3 = y[i, 0], y[i, 1], y[i, 2], y[i, 3]
+            a0, a1, a2, a3 = a0 - va * y0, a1 - va * y1, a2 - va * y2, a3 - va * y3
+            b0, b1, b2, b3 = b0 - vb * y0, b1 - vb * y1, b2 - vb * y2, b3 - vb * y3
+            c0, c1, c2, c3 = c0 - vc * y0, c1 - vc * y1, c2 - vc * y2, c3 - vc * y3
+            d0, d1, d2, d3 = d0 - vd * y0, d1 - vd * y1, d2 - vd * y2, d3 - vd * y3
+        y[k, 0], y[k, 1], y[k, 2], y[k, 3] = a0, a1, a2, a3
+        y[k + 1, 0], y[k + 1, 1], y[k + 1, 2], y[k + 1, 3] = b0, b1, b2, b3
+        y[k + 2, 0], y[k + 2, 1], y[k + 2, 2], y[k + 2, 3] = c0, c1, c2, c3
+        y[k + 3, 0], y[k + 3, 1], y[k + 3, 2], y[k + 3, 3] = d0, d1, d2, d3
+        for c in range(WIDE - 2, -1, -1):
+            for d in range(c + 1, WIDE):
+                v = value[start[k + c] + d - c - 1]
+                for t in range(4):
+                    y[k + c, t] -= v * y[k + d, t]
+    for k in range(n):
         i = 3 * order[k]
-        z[i], z[i + 1], z[i + 2] = a, b, c
+        z[i], z[i + 1], z[i + 2] = y[k, 0], y[k, 1], y[k, 2]
+
+
+@inner
+def _down(start: I8x1, row: I4x1, value: F8x1, y: Array, k: int) -> None:
+    """Column ``k`` is done, and the rows below it are rid of it."""
+    a0, a1, a2, a3 = y[k, 0], y[k, 1], y[k, 2], y[k, 3]
+    for p in range(start[k], start[k + 1]):
+        i, v = np.uint64(row[p]), value[p]
+        y0, y1, y2, y3 = y[i, 0] - v * a0, y[i, 1] - v * a1, y[i, 2] - v * a2, y[i, 3] - v * a3
+        y[i, 0], y[i, 1], y[i, 2], y[i, 3] = y0, y1, y2, y3
+
+
+@inner
+def _up(start: I8x1, row: I4x1, value: F8x1, y: Array, k: int) -> None:
+    """The rows below column ``k`` are done, and it is rid of them."""
+    a0, a1, a2, a3 = y[k, 0], y[k, 1], y[k, 2], y[k, 3]
+    for p in range(start[k], start[k + 1]):
+        i, v = np.uint64(row[p]), value[p]
+        a0, a1, a2, a3 = a0 - v * y[i, 0], a1 - v * y[i, 1], a2 - v * y[i, 2], a3 - v * y[i, 3]
+    y[k, 0], y[k, 1], y[k, 2], y[k, 3] = a0, a1, a2, a3
 
 
 def factor(offsets: Array, neighbours: Array, weight: Array, diagonal: Array) -> Callable[[Array], Array]:
@@ -234,9 +315,12 @@ def factor(offsets: Array, neighbours: Array, weight: Array, diagonal: Array) ->
     row, value, pivot = np.empty(start[n], np.int32), np.empty(start[n]), np.empty(n)
     _numbers(offsets, neighbours, weight, diagonal, order, parent, start, row, value, pivot)
 
+    first = np.empty(n + 1, np.int64)
+    blocks = int(_blocks(parent, start, first))
+
     def solved(q: Array) -> Array:
         z = np.empty_like(q)
-        solve(start, row, value, pivot, order, q, z)
+        solve(start, row, value, pivot, order, first, blocks, q, z)
         return z
 
     return solved

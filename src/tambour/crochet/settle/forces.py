@@ -48,6 +48,15 @@ def link(x: F8x2, edges: I4x2, rest: F8x1, cubic: bool, D: F8x2) -> None:
 
 
 @kernel
+def against(root: I4x1, D: F8x2) -> None:
+    """Take from every node's D (N, 3) what its root has."""
+    own = D.copy()
+    for i in range(len(D)):
+        k = root[i]
+        D[i, 0], D[i, 1], D[i, 2] = own[i, 0] - own[k, 0], own[i, 1] - own[k, 1], own[i, 2] - own[k, 2]
+
+
+@kernel
 def thread(x: F8x2, threads: I4x2, most: F8x1, D: F8x2) -> None:
     """Pull on the ends of every thread (K, 2) that is longer than its ``most`` (K,), as a spring would; a slack one does nothing."""
     for k in range(len(threads)):

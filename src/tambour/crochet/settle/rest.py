@@ -101,26 +101,32 @@ def rigid(x: F8x2, label: I8x1, loose: B1x1, D: F8x2) -> None:
     """
     m = np.zeros((len(loose), 16))  # nodes, Σx, ΣD, then about the mean the six of Σ r rᵀ and the torque Σ r × D
     spin = np.zeros((len(loose), 3))
-    for i in range(len(x)):
+    i = 0
+    while i < len(x):  # sums of a run of nodes of one piece are held apart until it ends
         k = label[i]
-        m[k, 0] += 1.0
-        for q in range(3):
-            m[k, 1 + q] += x[i, q]
-            m[k, 4 + q] += D[i, q]
-    for i in range(len(x)):
+        n, ax, ay, az, bx, by, bz = m[k, 0], m[k, 1], m[k, 2], m[k, 3], m[k, 4], m[k, 5], m[k, 6]
+        while i < len(x) and label[i] == k:
+            n += 1.0
+            ax, ay, az = ax + x[i, 0], ay + x[i, 1], az + x[i, 2]
+            bx, by, bz = bx + D[i, 0], by + D[i, 1], bz + D[i, 2]
+            i += 1
+        m[k, 0], m[k, 1], m[k, 2], m[k, 3], m[k, 4], m[k, 5], m[k, 6] = n, ax, ay, az, bx, by, bz
+    i = 0
+    while i < len(x):
         k = label[i]
         n = m[k, 0]
-        rx, ry, rz = x[i, 0] - m[k, 1] / n, x[i, 1] - m[k, 2] / n, x[i, 2] - m[k, 3] / n
-        dx, dy, dz = D[i, 0], D[i, 1], D[i, 2]
-        m[k, 7] += rx * rx
-        m[k, 8] += ry * ry
-        m[k, 9] += rz * rz
-        m[k, 10] += rx * ry
-        m[k, 11] += rx * rz
-        m[k, 12] += ry * rz
-        m[k, 13] += ry * dz - rz * dy
-        m[k, 14] += rz * dx - rx * dz
-        m[k, 15] += rx * dy - ry * dx
+        cx, cy, cz = m[k, 1] / n, m[k, 2] / n, m[k, 3] / n
+        xx, yy, zz, xy, xz, yz = m[k, 7], m[k, 8], m[k, 9], m[k, 10], m[k, 11], m[k, 12]
+        tx, ty, tz = m[k, 13], m[k, 14], m[k, 15]
+        while i < len(x) and label[i] == k:
+            rx, ry, rz = x[i, 0] - cx, x[i, 1] - cy, x[i, 2] - cz
+            dx, dy, dz = D[i, 0], D[i, 1], D[i, 2]
+            xx, yy, zz = xx + rx * rx, yy + ry * ry, zz + rz * rz
+            xy, xz, yz = xy + rx * ry, xz + rx * rz, yz + ry * rz
+            tx, ty, tz = tx + (ry * dz - rz * dy), ty + (rz * dx - rx * dz), tz + (rx * dy - ry * dx)
+            i += 1
+        m[k, 7], m[k, 8], m[k, 9], m[k, 10], m[k, 11], m[k, 12] = xx, yy, zz, xy, xz, yz
+        m[k, 13], m[k, 14], m[k, 15] = tx, ty, tz
     for k in range(len(loose)):
         xx, yy, zz, xy, xz, yz = m[k, 7], m[k, 8], m[k, 9], m[k, 10], m[k, 11], m[k, 12]
         tx, ty, tz = m[k, 13], m[k, 14], m[k, 15]
@@ -138,15 +144,18 @@ def rigid(x: F8x2, label: I8x1, loose: B1x1, D: F8x2) -> None:
             spin[k, 2] = (ac * tx + bc * ty + cc * tz) / det
         else:  # all on one line: no torque about it, half the trace across it
             spin[k, 0], spin[k, 1], spin[k, 2] = 2.0 * tx / trace, 2.0 * ty / trace, 2.0 * tz / trace
+    for k in range(len(loose)):  # the means in place of the sums
+        n = max(m[k, 0], 1.0)
+        for q in range(1, 7):
+            m[k, q] /= n
     for i in range(len(x)):
         k = label[i]
         if not loose[k]:
             continue
-        n = m[k, 0]
-        rx, ry, rz = x[i, 0] - m[k, 1] / n, x[i, 1] - m[k, 2] / n, x[i, 2] - m[k, 3] / n
-        D[i, 0] -= m[k, 4] / n + spin[k, 1] * rz - spin[k, 2] * ry
-        D[i, 1] -= m[k, 5] / n + spin[k, 2] * rx - spin[k, 0] * rz
-        D[i, 2] -= m[k, 6] / n + spin[k, 0] * ry - spin[k, 1] * rx
+        rx, ry, rz = x[i, 0] - m[k, 1], x[i, 1] - m[k, 2], x[i, 2] - m[k, 3]
+        D[i, 0] -= m[k, 4] + spin[k, 1] * rz - spin[k, 2] * ry
+        D[i, 1] -= m[k, 5] + spin[k, 2] * rx - spin[k, 0] * rz
+        D[i, 2] -= m[k, 6] + spin[k, 0] * ry - spin[k, 1] * rx
 
 
 def laplacian(body: Body, held: Array) -> Callable[[Array], Array]:

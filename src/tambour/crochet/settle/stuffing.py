@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1
-from tambour.core.kernels import kernel
+from tambour.core.kernels import inner, kernel
 
 LOFT = 0.1
 """The share of its loose volume over which fibre comes to press fully when it is squeezed."""
@@ -115,6 +115,18 @@ def skeleton(
                 D[i, 2] += dz * s
 
 
+@inner
+def _corners(x: F8x2, apex: F8x2, faces: I4x2, f: int, p: F8x1) -> None:
+    """The corners of a face, nine numbers; those from len(x) on are the middles of lids."""
+    for k in range(3):
+        v = faces[f, k]
+        if v < len(x):
+            p[3 * k], p[3 * k + 1], p[3 * k + 2] = x[v, 0], x[v, 1], x[v, 2]
+        else:
+            v -= len(x)
+            p[3 * k], p[3 * k + 1], p[3 * k + 2] = apex[v, 0], apex[v, 1], apex[v, 2]
+
+
 @kernel
 def pressure(
     x: F8x2,
@@ -146,37 +158,36 @@ def pressure(
         for q in range(3):
             apex[m, q] /= lid_offsets[m + 1] - lid_offsets[m]
     volume[:] = 0.0
-    G = np.empty((3, 3))
-    p = np.empty((3, 3))
-    for way in range(2):
-        for f in range(len(faces)):
-            part = face_part[f]
-            if way == 1 and amount[part] == 0.0:
-                continue
-            for k in range(3):
-                v = faces[f, k]
-                for q in range(3):
-                    p[k, q] = x[v, q] if v < n else apex[v - n, q]
-            for k in range(3):
-                a, b = (k + 1) % 3, (k + 2) % 3
-                G[k, 0] = p[a, 1] * p[b, 2] - p[a, 2] * p[b, 1]
-                G[k, 1] = p[a, 2] * p[b, 0] - p[a, 0] * p[b, 2]
-                G[k, 2] = p[a, 0] * p[b, 1] - p[a, 1] * p[b, 0]
-                if way == 0:
-                    break
-            if way == 0:
-                volume[part] += (p[0, 0] * G[0, 0] + p[0, 1] * G[0, 1] + p[0, 2] * G[0, 2]) / 6.0
-                continue
-            s = amount[part] / max(volume[part], least[part]) / 6.0
-            if volume[part] > (1.0 - LOFT) * most[part]:
-                s *= max(most[part] - volume[part], 0.0) / (LOFT * most[part])
-            for k in range(3):
-                v = faces[f, k]
-                for q in range(3):
-                    if v < n:
-                        D[v, q] += s * G[k, q]
-                    else:
-                        pull[v - n, q] += s * G[k, q]
+    p = np.empty(9)
+    for f in range(len(faces)):
+        _corners(x, apex, faces, f, p)
+        volume[face_part[f]] += (
+            p[0] * (p[4] * p[8] - p[5] * p[7]) + p[1] * (p[5] * p[6] - p[3] * p[8]) + p[2] * (p[3] * p[7] - p[4] * p[6])
+        ) / 6.0
+    for f in range(len(faces)):
+        part = face_part[f]
+        if amount[part] == 0.0:
+            continue
+        s = amount[part] / max(volume[part], least[part]) / 6.0
+        if volume[part] > (1.0 - LOFT) * most[part]:
+            s *= max(most[part] - volume[part], 0.0) / (LOFT * most[part])
+        _corners(x, apex, faces, f, p)
+        for k in range(3):
+            a, b = 3 * ((k + 1) % 3), 3 * ((k + 2) % 3)
+            gx, gy, gz = (
+                s * (p[a + 1] * p[b + 2] - p[a + 2] * p[b + 1]),
+                s * (p[a + 2] * p[b] - p[a] * p[b + 2]),
+                s * (p[a] * p[b + 1] - p[a + 1] * p[b]),
+            )
+            v = faces[f, k]
+            if v < n:
+                D[v, 0] += gx
+                D[v, 1] += gy
+                D[v, 2] += gz
+            else:
+                pull[v - n, 0] += gx
+                pull[v - n, 1] += gy
+                pull[v - n, 2] += gz
     for m in range(lids):
         count = lid_offsets[m + 1] - lid_offsets[m]
         for k in range(lid_offsets[m], lid_offsets[m + 1]):
