@@ -55,3 +55,43 @@ def test_a_row_that_runs_past_its_end_is_told_where_its_count_comes_out_by_chanc
     right, wrong = (toy(f"CAPE\nWith A, {rows.format(many).lower()}") for many in (3, 4))
     assert not [said for _, said in told(right) if "needs" in said]
     assert ((9, "this round needs 12 stitches below it, there are 10")) in told(wrong)
+
+
+def test_what_is_made_in_several_yarns_by_count_is_one_of_each() -> None:
+    head = f"HEAD\nWith C\n{BALL}Fasten off.\n"
+    pattern = toy(f"{head}\nEAR (Make 2 in brown and yellow)\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\n")
+    made = [(part.name, part.copies, part.stuffing) for part in pattern.parts[1:]]
+    assert made == [("BROWN EAR", 1, 0.0), ("YELLOW EAR", 1, 0.0)]
+    assert [hues(pattern, k) for k in (1, 2)] == [[BROWN], [YELLOW]]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "With right side facing, join C with slip st in first ch of any arm opening.",
+        "With right side of body facing, join C with slip st in any st of Round 3.",
+    ],
+)
+def test_the_yarn_above_a_first_round_that_is_not_understood_is_its_yarn(said: str) -> None:
+    below = "Round 1: Ch 1, sc in next end of row and in next end of row, do not join: 12 sc.\nRound 2: Sc in each sc around. (12)\n"
+    pattern = toy(
+        f"BODY\nWith A\n{BALL}Fasten off.\n\nSLEEVE (make 2)\n{said}\n{below}Round 3: [Sc2tog] 6 times. (6)\n"
+    )
+    assert [part.name for part in pattern.parts] == ["BODY", "SLEEVE"]
+    assert hues(pattern, 1) == [RED]
+
+
+def test_letters_without_a_colour_of_their_own_are_the_yarn_of_a_heading_too() -> None:
+    text = (
+        f"Bo\n\nBODY\nWith A\n{BALL}Fasten off.\n\nWINGS (make 2)\nWith D, leaving a long beginning tail \nfor sewing wing to body, make an \n"
+        "adjustable ring.\nRound 1: Work 6 sc in ring.\nRound 2: 2 sc in each st around. (12)\n"
+    )
+    pattern = read(Text(text, "bo.txt"))
+    assert hues(pattern, 1) == [pattern.letters["D"]] != hues(pattern, 0)
+
+
+@pytest.mark.parametrize("said", ["Join Egg Yellow yarn with sl st to any sc.", "Join Egg Yellow in any st."])
+def test_a_yarn_that_is_joined_by_the_colour_in_its_name_is_worked_with(said: str) -> None:
+    rounds = "1st rnd: 8 sc in 2nd ch from hook. Join with sl st to first sc. Fasten off.\n{}\n2nd rnd: Ch 1. 2 sc in each sc around.\n"
+    pattern = toy(f"EYES (make 2)\nWith brown yarn, ch 2.\n{rounds.format(said)}")
+    assert [h[-1] for h in hues(pattern, 0)] == [BROWN[-1], YELLOW[-1]]

@@ -223,12 +223,14 @@ def told(found: Assembled) -> str:
 
 def with_places(pattern: Pattern, found: Assembled) -> Pattern:
     """The pattern with its parts standing as the assembly asks, and those flat that nobody fills."""
+    alike = {p.span for p in pattern.parts if p.heading and p.name in found.unstuffed}  # one heading, several yarns
+    flat = {p.name for p in pattern.parts if p.heading and p.stuffing is None and p.span in alike} | {*found.unstuffed}
     parts = tuple(
         replace(
             p,
             up=found.ups.get(p.name, p.up),
-            stuffing=0.0 if p.name in found.unstuffed else p.stuffing,
-            guessed=p.name in found.unstuffed,
+            stuffing=0.0 if p.name in flat else p.stuffing,
+            guessed=p.name in flat,
         )
         for p in pattern.parts
     )

@@ -46,7 +46,7 @@ class Hue:
 def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
     """The words of a heading with its copies as one number, and their colours; the words as they are where it says none.
 
-    "Flower (make 3: 2 fuchsia, 1 yellow)", "EARS (make 2 in grey and 2 in pink)".
+    "Flower (make 3: 2 fuchsia, 1 yellow)", "EARS (make 2 in grey and 2 in pink)", "EAR (make 2 in pink and purple)".
     """
     make = next((k for k, t in enumerate(tokens) if t.value == "make"), None)
     if make is None or not make or any(t.kind == "stitch" for t in tokens):
@@ -72,8 +72,12 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
             shade, plain = ((0, 0, 0), end - at), True
         if shade is None or not shade[1]:
             return tokens, ()
-        found.append(Hue(count, _called(tokens[at : at + shade[1]]), shade[0]))
-        at += shade[1]
+        each, after = _each(p, tokens, at, 1)
+        if led and len(each) == count > 1 and all(p.palette.name(hue.words) for hue in each):
+            found, at = [*found, *each], after  # "make 2 in pink and purple": one of each
+        else:
+            found.append(Hue(count, _called(tokens[at : at + shade[1]]), shade[0]))
+            at += shade[1]
         while at < len(tokens) and (tokens[at].word in _BETWEEN or tokens[at].value in ("yarn", "and", "make")):
             at += 1
     many = sum(hue.count for hue in found)

@@ -220,6 +220,9 @@ class Courses(Reader):
             c.at -= 1  # "Join Color 1"
             c.tokens[c.at] = Token("word", "color", c.tokens[c.at].start, c.tokens[c.at].end)
         shade = self.palette.color(c) or self.palette.letter(c, c.at)
+        if shade is None and c.kind("word") and c.tokens[c.at].capital and c.look(1) is not None:
+            named = self.palette.color(c, c.at + 1)  # "Join Egg Yellow yarn": a yarn by the colour in its name
+            shade = None if named is None else (named[0], named[1] + 1)
         worked = any(not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn") for i in found)
         if shade is not None:
             span = Span(c.tokens[c.at].start, c.tokens[c.at + shade[1] - 1].end)

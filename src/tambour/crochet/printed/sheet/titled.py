@@ -229,6 +229,9 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
         made.copies, made.said = many, [*made.said, *said]
         return True
     yarn = _copied(made, said, name, words)
+    parting = sum(t.word in (",", "&", "+") or t.value == "and" for t in words.read(yarn))
+    if yarn and parting and parting + 1 == made.copies:
+        return False  # "make 2 in pink and purple": one of each
     if yarn:
         said = yarn
     elif any(number_of(t, words.heard) > 1 for t in said if t.kind == "number") and not any(

@@ -125,12 +125,20 @@ class Palette:
     def first(self, words: str) -> RGB | None:
         """The first yarn that a heading asks for: "Make 1 with B and 1 with C", "Head (cream)", "Ears (blue yarn, make 2)",
         "Fins, make 2, in blue", "HEAD – Caramel, 3.5 mm hook"."""
-        lettered = next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
+        asked = ((m[1] or m[2]).lower() for m in _WITH.finditer(words))
+        lettered = next((hue for word in asked if (hue := self._said(word)) is not None), None)
         found = sorted(
             (m for said in (_BESIDE, _OF_YARN, _YARNED, _DASHED) for m in said.finditer(words)), key=lambda m: m.start()
         )
         named = (self.name(" ".join(m[1].lower().split())) for m in found)
         return lettered or next((hue for hue in named if hue is not None), None) or self._aside(words)
+
+    def _said(self, word: str) -> RGB | None:
+        """The yarn of a letter that a heading asks for; in a text that gives its letters no colours, the one it is shown in."""
+        if word in self.given or not any(map(_lettered, self.told)):
+            return self.given.get(word)
+        self.told.append(word)
+        return self._only(word) or _SHADES[_index(word) % len(_SHADES)]
 
     def _aside(self, words: str) -> RGB | None:
         """The first yarn that stands behind a heading's name, however it is said: "Wings (W)", "Pads x4, yellow", "OREILLES (x2, commencer en
@@ -212,7 +220,9 @@ _SAID: Final = re.compile(r"[^\W\d_]+")
 _HEADED: Final = 80  # letters of a line that may be a heading
 _OTHERS: Final = frozenset(("eyes", "eye", "hook", "nose", "see", "page", "photo", "picture", "sts", "stitches", "rnds", "rounds", "like", "patch"))  # fmt: skip
 """What is named beside a colour that is no yarn of the whole piece."""
-_WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|C[A-E]|[A-K])\b")
+_WITH: Final = re.compile(
+    r"\b(?:[Ww]ith|[Ii]n|[Uu]sing|[Jj]oin(?:ing)?)\s+(?:[Cc]olou?r\s+([1-9])\b|(?:[Cc]olou?r\s+)?(MC|C[A-E]|[A-K])\b)"
+)
 _BESIDE: Final = re.compile(
     r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"
 )
