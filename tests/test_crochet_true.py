@@ -7,7 +7,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
-from tambour.crochet.language.tree import Action, Pattern
+from tambour.crochet.language.tree import Action, Group, Pattern
 from tambour.crochet.printed.choose import read
 
 YARNS = "MATERIALS\nCotton yarn in cream (A), brown (B), red (C) and yellow (D)\n"
@@ -95,3 +95,19 @@ def test_a_yarn_that_is_joined_by_the_colour_in_its_name_is_worked_with(said: st
     rounds = "1st rnd: 8 sc in 2nd ch from hook. Join with sl st to first sc. Fasten off.\n{}\n2nd rnd: Ch 1. 2 sc in each sc around.\n"
     pattern = toy(f"EYES (make 2)\nWith brown yarn, ch 2.\n{rounds.format(said)}")
     assert [h[-1] for h in hues(pattern, 0)] == [BROWN[-1], YELLOW[-1]]
+
+
+@pytest.mark.parametrize(
+    ("said", "items"),
+    [
+        ("(2xSC,1x2SC) around (8)", [("sc", 2), ("inc", 1)]),
+        ("(2xSC, 1xINC) around (8)", [("sc", 2), ("inc", 1)]),
+        ("SC in same st, SC in next st, 2 SC in next st around, (2xSC,1x2SC) around (8)", [("sc", 2), ("inc", 1)]),
+        ("Ch 1, SC in same st, SC in next st, 2 SC in next st around (2xSC,1x2SC). (8 SC)", [("sc", 2), ("inc", 1)]),
+    ],
+)
+def test_a_sign_of_times_grown_to_its_stitch_and_a_round_told_twice(said: str, items: list[tuple[str, int]]) -> None:
+    pattern = toy(f"STRAP\nR1: 6 sc in magic ring (6)\nR2: {said}\nR3: sc around\n")
+    group = next(i for i in pattern.parts[0].lines[-2].items if isinstance(i, Group))
+    assert [(i.name, i.times) for i in group.items if isinstance(i, Action)] == items
+    assert not pattern.unread and pattern.parts[0].lines[-2].stated == 8

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 from typing import Final
@@ -382,10 +383,17 @@ def _dashed(tokens: list[Token]) -> tuple[int, int, int] | None:
 _SHAFTS: Final = (">", "-", "=")  # of an arrow
 
 
+_GROWN: Final = re.compile(r"x(\d?)((?:sc|hdc|dc|tr)(?:inc|dec|\d?tog)?|inc|dec)")
+"""A sign of times that has grown to a stitch: ``2xsc``, ``1x2sc``."""
+
+
 def signs(rows: list[Row]) -> list[Row]:
-    """Lines with a count behind signs of their own, ``>>8``, ``-> 8``, in brackets, and numbers grown behind a stitch, ``inc(8) >>16``, before it."""
+    """Lines with a count behind signs of their own, ``>>8``, ``-> 8``, in brackets, numbers grown behind a stitch, ``inc(8) >>16``, before it, and
+    signs of times parted from theirs, ``(2xSC, 1x2SC)``."""
     made = []
     for row in rows:
+        if any(_GROWN.fullmatch(t.word) for t in row.tokens):
+            row = replace(row, tokens=_split(_restated(row.tokens)))
         tokens = row.tokens
         if len(tokens) > 3 and tokens[-1].kind == "number" and tokens[-2].word == ">" and tokens[-3].word in _SHAFTS:
             number = tokens[-1]
@@ -394,6 +402,44 @@ def signs(rows: list[Row]) -> list[Row]:
             made.append(Row([*inner, opens, number, closes], row.start, row.end, row.marked))
         else:
             made.append(row)
+    return made
+
+
+def _restated(tokens: list[Token]) -> list[Token]:
+    """Of a round that is told twice, "ch 1, sc in same st, 2 sc in next st around, (1xsc, 1x2sc)", the bracket."""
+    opens = next((k for k, t in enumerate(tokens) if t.word == "(" and k > 1), 0)
+    closes = next((k for k in range(opens, len(tokens)) if tokens[k].word == ")"), 0)
+    around = opens - 1 - (tokens[opens - 1].word == ",") if opens else 0
+    if not closes or tokens[around].word != "around" or not any(_GROWN.fullmatch(t.word) for t in tokens[opens:closes]):
+        return tokens
+    begin = next((k + 1 for k in range(around) if tokens[k].word == ":"), 0)
+    begin += 3 if tokens[begin].word == "ch" and tokens[begin + 2].word == "," else 0
+    past = closes + 1 + (closes + 1 < len(tokens) and tokens[closes + 1].word == "around")
+    return [*tokens[:begin], *tokens[opens : closes + 1], tokens[around], *tokens[past:]]
+
+
+def _split(tokens: list[Token]) -> list[Token]:
+    """``2xsc`` as "2 x sc" and ``1x2sc`` as "2 sc in each of next 1 sts"."""
+    made: list[Token] = []
+    for k, token in enumerate(tokens):
+        grown = _GROWN.fullmatch(token.word) if k and tokens[k - 1].kind == "number" and token.glued else None
+        if grown is None:
+            made.append(token)
+            continue
+        at = token.start + 1
+        if not grown[1]:
+            made += [replace(token, word="x", end=at), replace(token, word=grown[2], start=at, glued=False)]
+            continue
+        many = made.pop()
+        some = Token("number", grown[1], at, at + 1, int(grown[1]))
+        each = [Token("word", w, token.end, token.end) for w in ("in", "each", "of", "next")]
+        made += [
+            some,
+            replace(token, word=grown[2], start=at + 1),
+            *each,
+            many,
+            Token("word", "sts", token.end, token.end),
+        ]
     return made
 
 
