@@ -111,3 +111,12 @@ def test_a_sign_of_times_grown_to_its_stitch_and_a_round_told_twice(said: str, i
     group = next(i for i in pattern.parts[0].lines[-2].items if isinstance(i, Group))
     assert [(i.name, i.times) for i in group.items if isinstance(i, Action)] == items
     assert not pattern.unread and pattern.parts[0].lines[-2].stated == 8
+
+
+@pytest.mark.parametrize(("ends", "yarn"), [("Do not fasten off.", BROWN), ("Fasten off.", CREAM)])
+def test_yarn_that_is_not_cut_goes_on_in_the_next_part(ends: str, yarn: tuple[int, ...]) -> None:
+    band = "BAND\nWith B, ch 4.\nRow 1: Sc in 2nd ch from hook and in each ch across. (3)\nRows 2-12: Ch 1, turn, sc in each sc across. (3)\n"
+    crown = "CROWN\nRound 1: Working in edge sts of Band, ch 1, sc in same st and in each of next 11 edge sts. (12)\nRound 2: sc in each sc around. (12)\n"
+    pattern = toy(f"BODY\nWith A\n{BALL}Fasten off.\n\n{band}Sew short edges together. {ends}\n\n{crown}")
+    assert [part.name for part in pattern.parts] == ["BODY", "BAND", "CROWN"]
+    assert hues(pattern, 2) == [yarn]

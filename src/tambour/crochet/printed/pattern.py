@@ -100,11 +100,13 @@ class Printed(Headed):
         for draft in pairs.alone(self.parts, source.text.text):
             draft.copies = 2
             source.doubt(f"{GUESSED}: two of {draft.name} are made", "say how many: (make 2), or (make 1)", draft.span)
+        above: list[Line] = []
         for draft in self.parts:
             draft.lines = beside(self, draft)
             headed(self, draft)
             self.palette.wear(draft.worn)
-            draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text)
+            draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text, above)
+            above = draft.lines
         sections = tuple(
             one
             for draft in self.parts

@@ -258,13 +258,24 @@ def numbered(palette: Palette, line: str) -> bool:
     return bool(found or lettered)
 
 
-def dyeing(lines: list[Line], heading: Span, palette: Palette, text: str) -> list[Line]:
-    """The line that gives rounds which name no yarn that of their heading, else the pattern's main one; none where one is named."""
+_HELD_ON: Final = re.compile(r"\bdo not (?:fasten off|cut|break|finish off)\b[^.;\n]*[.;]?[\s*_#]*$", re.IGNORECASE)
+
+
+def dyeing(lines: list[Line], heading: Span, palette: Palette, text: str, before: list[Line]) -> list[Line]:
+    """The line that gives rounds which name no yarn that of their heading, else the one of the part ``before`` whose yarn is not cut above it,
+    else the pattern's main one; none where one is named."""
     first = next((i for n in lines for i in n.items if works(i) or (isinstance(i, Action) and i.name == "color")), None)
     if isinstance(first, Action) and first.name == "color":
         return []
     begin = lines[0].span.start if lines else heading.end
-    hue = palette.first(text[heading.start : max(begin, heading.end)][:_HEADING]) or palette.main
+    hue = palette.first(text[heading.start : max(begin, heading.end)][:_HEADING])
+    if hue is None and _HELD_ON.search(text, max(0, heading.start - _HEADING), heading.start):
+        last = next(
+            (i for n in reversed(before) for i in reversed(n.items) if isinstance(i, Action) and i.name == "color"),
+            None,
+        )
+        hue = None if last is None else (last.numbers[0], last.numbers[1], last.numbers[2])
+    hue = hue or palette.main
     return [] if hue is None else [Line((Action("color", heading, numbers=hue),), heading, False)]
 
 
