@@ -260,3 +260,136 @@ def test_a_part_right_behind_the_materials_has_its_yarn(yarn: str) -> None:
         f"Bunny\nMATERIALS\nCotton yarn\n8mm safety eyes.\nHEAD\n{yarn}\nR1: 6sc in MR (6)\nR2: 6inc (12)\n"
     )
     assert any(isinstance(i, Action) and i.name == "color" for line in found.parts[0].lines for i in line.items)
+
+
+def parts(words: str) -> list[tuple[str, int]]:
+    return [(part.name, part.copies) for part in pattern(words).parts]
+
+
+def test_a_range_ends_where_the_stitches_begin() -> None:
+    assert counts("Arm\nR1 6sc in MR (6)\nR2-3 6sc (6)\nR4 4sc dec (5)\nR5-6 5sc (5)\n") == [6, 6, 6, 5, 5, 5]
+
+
+def test_one_stitch_that_states_the_whole_round_goes_around() -> None:
+    words = "Head\nR1: 6 sc in MR (6)\nR2: 2 sc in each sc (12)\nR3: 1 sc in next sc (12)\nR4: 1 sc in next sc (12)\n"
+    assert counts(words) == [6, 12, 12, 12]
+
+
+def test_a_first_round_whose_number_stands_last_ends_the_list_above() -> None:
+    words = (
+        "Abbreviations\nch = chain\nsc = single crochet\nHead\ncolor 1 (white)\nStart with a magic ring with 6 sc – 1rnd.\n"
+        "2 rnd: 2 sc in each sc (12)\nFasten off.\n"
+    )
+    assert counts(words) == [6, 12]
+
+
+def test_rounds_that_only_name_a_yarn_dye_those_that_are_there() -> None:
+    words = (
+        "Shell\nwith blue:\n1. 6 sc in MR (6)\n2. 6 inc (12)\n3-6. 12 sc (12)\nColor scheme for 3-6 rounds:\n"
+        "3 rnd: color white\n4-5 rnds: color blue\n6 rnd: color white\nWith blue\n7. 12 inc (24)\n"
+    )
+    built = build(pattern(words))
+    assert [w.made for w in built.worked if w.line.in_round] == [6, 12, 12, 12, 12, 12, 24]
+    hues: list[tuple[int, ...]] = []
+    worn: tuple[int, ...] = ()
+    for line in pattern(words).parts[0].lines:
+        worn = next((i.numbers for i in line.items if isinstance(i, Action) and i.name == "color"), worn)
+        hues += [worn] * line.times if line.in_round else []
+    assert hues[2] == hues[5] != hues[3] == hues[4] == hues[6] == hues[0]
+
+
+def test_eyes_and_their_copies_head_a_part() -> None:
+    rounds = "R1: 6 sc in MR (6)\nR2: 6 inc (12)\n"
+    assert parts(f"Frog\n\nHead\n\n{rounds}\nEyes\nMake 2\n\nStarting with black\n{rounds}") == [
+        ("Head", 1),
+        ("Eyes", 2),
+    ]
+
+
+@pytest.mark.parametrize("head", ["Face and body:", "FACE & BODY", "Face:"])
+def test_a_face_with_rounds_below_is_no_assembly(head: str) -> None:
+    assert counts(
+        f"Hedgehog\n\n{head}\n1. 6 sc in MC (6)\n2. 6 inc (12)\n3. 12 sc (12) - put the eyes in here now\n"
+    ) == [6, 12, 12]
+
+
+def test_an_increase_beside_a_single_crochet_is_two_stitches_where_the_counts_say_so() -> None:
+    words = (
+        "Head\nR1 6 sc in MR (6)\nR2 inc x6 (12)\nR3 sc inc sc, inc sc inc, (sc inc)x3 (18)\nR4 (inc 2sc)x6 (24)\n"
+        "R5 12sc (inc 2sc)x4 (28)\n"
+    )
+    assert counts(words) == [6, 12, 18, 24, 28]
+    assert counts("Head\nR1 6 sc in MR (6)\nR2 (sc inc) x 6 (12)\nR3 12 sc (12)\n") == [6, 12, 12]  # an increase of sc
+
+
+def test_a_chain_alone_under_a_heading_begins_a_part() -> None:
+    words = "Belly\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nShell\nRnd 1: 7 ch\nRnd 2: From the second ch from the hook: 5 sc, 3 sc in one loop, 4 sc, inc (14)\n"
+    found = pattern(words)
+    assert [part.name for part in found.parts] == ["Belly", "Shell"]
+    assert [w.made for w in build(found).worked if w.line.in_round][-1] == 14
+
+
+def test_bare_numbers_below_a_line_of_full_width_are_rounds() -> None:
+    words = (
+        "HEAD:\n1. 6sc in MR (6);\n2. 6inc (12);\n3. 1sc, (inc, 1sc)*5, inc (18);\n– begin to fill the head;\n4. (1sc, DEC)*6 (12);\n"
+        "5. – 6. (2 rows) unchanged (12);\n7. 1sc, (DEC, 1sc)*3, DEC (8);\n8. (2sc, DEC)*2 (6).\n"
+    )
+    assert counts(words) == [6, 12, 18, 12, 12, 12, 8, 6]
+
+
+def test_how_many_rows_between_strokes_is_no_second_language() -> None:
+    words = (
+        "Doll\n\nBODY:\nColors A\n1 row – 6 sc in MR\n2 row – 6 inc = 12\n3 – 5 rows / 3 rows / – 12 sc\n6 row – (sc, inc) * 6 = 18\n"
+        "7 – 9 rows / 3 rows / – 18 sc, body full\n10 – 12 rows / 3 rows / – 18 sc\n13 – 14 rows / 2 rows / – 18 sc\n"
+        "15 row – (sc, dec) * 6 = 12, fill it firmly\n"
+    )
+    found = pattern(words)
+    assert [part.name for part in found.parts] == ["BODY"]
+    assert [w.made for w in build(found).worked if w.line.in_round] == [6, *[12] * 4, *[18] * 9, 12]
+
+
+def test_what_points_to_another_page_in_the_midst_of_a_sentence_is_left_out() -> None:
+    words = (
+        "Rnd 1 (RS): Starting at point of nose with pink, form slip ring\n\n(see picture), 6 sc in slip ring. (6 sc)\n\n"
+        "Rnd 2: [Sc in next sc, inc (see\n\nStitch Guide) in next sc] 3 times. (9 sc)\n\nRnds 3-6: [Rep rnds 1 and 2 alternately] twice.\n"
+    )
+    found = [w.made for w in build(pattern(words)).worked if w.line.in_round]
+    assert found[:2] == [6, 9]
+
+
+@pytest.mark.parametrize(
+    "end", ["Repeat *-* till the end of the round", "Repeat *–* the end of the round", "Rep *-* to end of round"]
+)
+def test_stars_are_repeated_to_the_end(end: str) -> None:
+    words = f"Body\n1. 6 sc in MR (6)\n2. Work 2 sc in each s all the way round (12)\n3. Work *1 sc in the next 2 sts, 2 sc together*. {end} (9)\n"
+    assert counts(words) == [6, 12, 9]
+
+
+def test_the_stitch_that_hides_a_change_of_yarn_is_none_more() -> None:
+    words = (
+        "Doll\n\nARMS\nMake 2.\nWith Brown, begin with a magic ring and sc 7 into ring.\nRound 1: 2 sc in each sc around. (14)\n"
+        "Round 2: Sc in each sc around. Sc in first sc of this round.\nAttach Light Green by pulling up a loop through the last two loops worked.\n"
+        "Rounds 3-4 (2 rounds): Sc in each sc around. On last round, sc in first sc of round.\n"
+    )
+    found = pattern(words)
+    assert [(part.name, part.copies) for part in found.parts] == [("ARMS", 2)]
+    assert [w.made for w in build(found).worked if w.line.in_round][-3:] == [14, 14, 14]
+    hues = [i for line in found.parts[0].lines for i in line.items if isinstance(i, Action) and i.name == "color"]
+    assert len(hues) == 2
+
+
+def test_a_pattern_of_a_part_in_capitals_heads_it() -> None:
+    words = (
+        "Something for the window\nCACTUS PATTERN\nWith green, ch 17.\nR1: sc in 2nd ch from hook, 15 sc, ch 1 and turn (16)\n"
+        "R2: In back loops only, skip first ch from hook, 16 sc, ch 1 and turn (16)\nDIRT PATTERN\nWith brown, sc 6 in MR\nR2: inc x 6 (12)\n"
+    )
+    assert parts(words) == [("CACTUS", 1), ("DIRT", 1)]
+    assert counts(words)[-2:] == [6, 12]
+
+
+def test_words_that_fit_no_other_edge_are_a_gap_and_no_traceback() -> None:
+    words = (
+        "Hat\nFoundation and row 1: Ch5 and starting from the 2nd st from hook, sc1 in all (4). ch1 and turn.\n"
+        "Rows 2-6: scblo in all sts. (4). Ch1 and turn.\nRow 1 : Ch2 (counts as the 1st hdc) and hdc1 in first row. (8) ch2 and turn.\n"
+    )
+    assert account(pattern(words))["not_understood"]

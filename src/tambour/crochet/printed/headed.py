@@ -28,10 +28,11 @@ from tambour.crochet.printed.parts.hung import on_loops
 from tambour.crochet.printed.parts.lengthened import lengthened
 from tambour.crochet.printed.parts.mend import is_start
 from tambour.crochet.printed.parts.part import Draft
+from tambour.crochet.printed.parts.redyed import worn
 from tambour.crochet.printed.parts.reworked import again, allotted
 from tambour.crochet.printed.parts.stripes import lay, planned, without
 from tambour.crochet.printed.rounds.doings import works
-from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.doubts import decided, tried
 from tambour.crochet.printed.rounds.items import EVENED, evens
 from tambour.crochet.printed.rounds.items import works as works_some
 from tambour.crochet.printed.rounds.motifs import chained
@@ -58,6 +59,16 @@ def _into_first(tokens: list[Token], chain: int | None) -> list[Token]:
                 Token("key", "hook", end, end, "hook"),
             ]
             return [*tokens[: k + 1], *said, *tokens[k + 3 :]]
+    return tokens
+
+
+def _risen(tokens: list[Token]) -> list[Token]:
+    """A row without the chain that it turned with, which is skipped: "skip first ch from hook, 14 sc"."""
+    for k in range(len(tokens) - 4):
+        said = tokens[k : k + 5]
+        if [t.value for t in said] == ["skip", 1, "ch", "from", "hook"]:
+            comma = k + 5 < len(tokens) and tokens[k + 5].word == ","
+            return [*tokens[:k], *tokens[k + 5 + comma :]]
     return tokens
 
 
@@ -158,6 +169,7 @@ class Headed(State):
             draft.leaves_rest(self.source)  # "Working in these 33 sts only"
         if both is None and established(self, tokens, head):
             return
+        tokens = _risen(tokens) if chain is None and draft.flat and draft.last else tokens
         tokens = lengthened(self.source, draft, _into_first(tokens, chain))
         try:
             stands = not draft.flat or any(
@@ -175,8 +187,8 @@ class Headed(State):
             return
         if not read.fit and draft.other is not None:
             # The round before does not make its own count: this one may stand on either.
-            second = decided(self.source, tokens, self.palette, draft.other, self.phrases, times, chain)
-            read, draft.edge = (second, draft.other) if second.fit else (read, draft.edge)
+            second = tried(self.source, tokens, self.palette, draft.other, self.phrases, times)
+            read, draft.edge = (second, draft.other) if second is not None and second.fit else (read, draft.edge)
         if both is None and not read.fit and read.refers is None:
             read = frilled(self, draft, tokens, times) or read
         if both is None and read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
@@ -193,6 +205,12 @@ class Headed(State):
         if nothing and head.numbers and any(t.kind == "stitch" and t.value not in ("slst", "ch") for t in tokens):
             self._gap(draft, head, tokens, span, NotUnderstood(first, "no stitch of this was read"))
             return
+        hues = [i for i in read.items if isinstance(i, Action) and i.name == "color"]
+        if hues and hues == read.items and head.numbers and head.numbers[-1] <= draft.last and not read.left:
+            dyed = worn(draft.lines, head.numbers, hues[0])  # "Round 9: white" of rounds that are worked already
+            if dyed is not None:
+                draft.lines = [*dyed, *(Line((hue,), hue.span, False) for hue in hues[1:])]
+                return
         place, self.moved = read.moved or self.moved, None
         if self._along(draft, read, place):
             self._edged(draft, read, span)

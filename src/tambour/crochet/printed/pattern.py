@@ -417,6 +417,8 @@ def _starts(tokens: list[Token], ringed: bool, unheaded: bool) -> bool:
 def _back_along(tokens: list[Token]) -> bool:
     """Whether words make a chain and work back along it: "ch 6, 5 sc (5)" makes as many as a chain of six gives."""
     said = [t for t in tokens if t.kind != "mark" or t.word not in ",.;"]
+    if len(said) == 2 and any(t.value == "ch" for t in said):
+        return any(t.kind == "number" and t.value > 3 for t in said)  # "Rnd 1: ch 6"
     if len(said) < 5 or (
         {said[0].value, said[1].kind} != {"ch", "number"} and {said[1].value, said[0].kind} != {"ch", "number"}
     ):

@@ -39,7 +39,7 @@ from tambour.crochet.printed.sheet.tallies import tallied
 from tambour.crochet.printed.sheet.titled import titled
 from tambour.crochet.printed.sheet.told import told
 from tambour.crochet.printed.sheet.twofold import once
-from tambour.crochet.printed.sheet.wrapping import small, torn, unwrapped
+from tambour.crochet.printed.sheet.wrapping import pointed, small, torn, unwrapped
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.wordings import tongues
 from tambour.crochet.printed.wordings.divided import divided
@@ -51,7 +51,7 @@ from tambour.crochet.printed.wordings.newyarn import respun
 from tambour.crochet.printed.wordings.risings import counting
 from tambour.crochet.printed.wordings.shells import shelled
 from tambour.crochet.printed.wordings.shorthand import numbered, signs, unlisted
-from tambour.crochet.printed.wordings.vocabulary import vocabulary
+from tambour.crochet.printed.wordings.vocabulary import stand_beside, vocabulary
 from tambour.crochet.printed.wordings.wools import learned
 from tambour.crochet.printed.yarns.colors import Palette
 from tambour.crochet.printed.yarns.shades import spoken
@@ -149,10 +149,12 @@ class State:
                 first(numbered(unlisted(columned(source.text.text, leaves(source.text.text, rows(source.text.text))))))
             )
         )
-        self.rows = torn(source.text.text, self.rows)
+        self.rows = torn(source.text.text, pointed(source.text.text, self.rows))
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
+        if self.language.code == "us" and stand_beside(source.text.text):
+            self.vocabulary.part()
         noted = _noted(source.text.text, self.rows, TERMS[self.language.code].sets(source.text.text))
         self.rows = [row for row in self.rows if row not in noted]
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
@@ -249,6 +251,10 @@ class State:
         headed = bool(after) and tokens[0].capital and said[0].start == tokens[0].start and after[0].word != ","
         if headed and any(t.kind == "stitch" for t in after):
             return True  # "R19  FLO (2X, V)*6"
+        listed = said[found.end :] if found is not None and said[found.end - 1].word == "." else []
+        opened = listed[1:] if listed and listed[0].word in ("(", "[", "*") else listed
+        if len(opened) > 1 and opened[0].kind == "number" and opened[1].kind == "stitch":
+            return True  # "22. (4 sc, dec) x 6", below a line of its width
         first = said[0] if said else None
         begun = first is not None and first.capital and first.start == tokens[0].start
         named = ("round", "row", "color")  # "Break | Color 2", "of | Round 3"

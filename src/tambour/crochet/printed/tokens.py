@@ -38,6 +38,7 @@ _UNSEEN: Final = frozenset(_HIDDEN + "\ufe0f")
 _SHOWN: Final = str.maketrans(
     "ıİаеорсухіѕјһԁАВЕКМНОРСТХІЅЈοΟυ", "iIaeopcyxisjhdABEKMHOPCTXISJoOu", _HIDDEN
 )  # "MAGİC RİNG, ınc", and letters of other alphabets that look like ours
+_UP_TO: Final = frozenset(("-", "/", "&", "+", "to", "and"))
 _LONGEST: Final = 9  # digits of a number that is taken for one
 
 
@@ -182,10 +183,10 @@ def _kerned(tokens: list[Token]) -> list[Token]:
         one, two, after = tokens[k : k + 3]
         apart = one.kind == two.kind == "number" and len(one.word) == len(two.word) == 1 and two.start == one.end + 1
         before = k - 1 - (k > 1 and tokens[k - 1].word in (".", "#"))
-        ranged = tokens[k - 1].word == "-" and k > 1 and tokens[k - 2].kind == "number"
+        ranged = tokens[k - 1].word in _UP_TO and k > 1 and tokens[k - 2].word[-1].isdigit()
         named = (
             not k or tokens[before].word in _ROUNDS or tokens[k - 1].word in ("x", "*") or ranged
-        )  # "Rnd 1 6 sc", "R.1 6 sc", "dec x 6 6sts", "rnd 3-5 1 sc in each st"
+        )  # "Rnd 1 6 sc", "R.1 6 sc", "dec x 6 6sts", "rnd 3-5 1 sc in each st", "r6-7 4sc"
         if apart and one.value and not named and after.word in ("sts", "sc", "st", "stitches"):
             whole = Token("number", one.word + two.word, one.start, two.end, 10 * one.value + two.value, one.glued)
             return [*tokens[:k], whole, *_kerned(tokens[k + 2 :])]

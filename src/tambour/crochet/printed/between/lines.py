@@ -150,15 +150,24 @@ _SEWN: Final = frozenset(("sew", "pin", "whipstitch", "whip", "embroider", "glue
 """What begins no round, whatever its number."""
 
 
+def _counts(tokens: list[Token], k: int) -> bool:
+    """Whether a bracket at ``k`` holds a count of the stitches that stand before it."""
+    one, two, three = tokens[k : k + 3]
+    stitches = any(t.kind == "stitch" for t in tokens[:k])
+    return one.word in ("(", "[") and two.kind == "number" and three.word in (")", "]") and stitches
+
+
 def rounds(tokens: list[Token], assembly: bool = False) -> bool:
     """Whether the text after a bare number is a round's. assembly : it stands where parts are put together, whose numbered steps are
     sentences unless they found a piece."""
-    words = [t for t in tokens if t.kind != "mark"]
+    counted = next((k for k in range(1, len(tokens) - 2) if _counts(tokens, k)), None)
+    # What stands behind its count is said by the way: "24 sc (24) - add the eyes here".
+    words, whole = ([t for t in some if t.kind != "mark"] for some in (tokens[:counted], tokens))
     if words and words[0].word in _SEWN:
         return False  # "3. Sew the first spike to the head, 2 sc from the eyes"
     known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
     ringed = any(
-        {a.value, b.kind} == {"ring", "number"} or {b.value, a.kind} == {"ring", "number"} for a, b in pairwise(words)
+        {a.value, b.kind} == {"ring", "number"} or {b.value, a.kind} == {"ring", "number"} for a, b in pairwise(whole)
     )
     if assembly and not ringed and not founding(tokens):
         return False

@@ -21,7 +21,8 @@ from tambour.crochet.printed.between.headlines import (
     small,
     trailing,
 )
-from tambour.crochet.printed.between.opening import founds
+from tambour.crochet.printed.between.lines import rounds
+from tambour.crochet.printed.between.opening import founding, founds
 from tambour.crochet.printed.between.preface import prefaced
 from tambour.crochet.printed.between.sentences import sentences
 from tambour.crochet.printed.between.unread import left_over
@@ -82,6 +83,10 @@ _TOGETHER: Final = re.compile(
 """A line that heads the steps by which parts become a toy: "Let's put him together!", "How to assemble your bear"."""
 _NEAR: Final = 40  # characters between a heading and another under it
 _PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
+_PLANNED: Final = frozenset(
+    "stripe stripes striped striping color colour stitch loop chevron main basic written free crochet".split()
+)
+"""Before "pattern": what is no part."""
 _JOININGS: Final = frozenset(("joining", "join", "assembling"))
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
@@ -110,7 +115,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if forms(p, line, whole) or tallied(p, line, whole):
         return
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
-    if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
+    bare_title = p.heading is not None and p.heading.copies_span is None and copies_alone(tokens) is None
+    if title and bare_title and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
     if " as " in line and numbered(p.palette, line) and not any(t.kind == "stitch" for t in tokens):
         for m in _COLOURING.finditer(line):
@@ -167,6 +173,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     first = tokens[0]
     names = [t for t in tokens if t.kind != "mark"]
     listed = first.value != "eyes" or (p.mode in ("materials", "abbreviations") and not founds(p))
+    listed = listed and not (first.word == "face" and _rounds_below(p))
     tipped = MODES.get(str(first.value)) == "notes" and any(kind_of(one(t.word)) for t in names[1:])  # "Tip of Nose"
     steps = bool(p.parts) and _TOGETHER.fullmatch(line) is not None
     if steps or (len(names) <= 3 and first.kind == "key" and first.value in MODES and listed and not tipped):
@@ -196,6 +203,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if found is not None and (_SUPPLY.match(line) or (p.mode == "materials" and eyes_listed(line))):
         p.passed.append(whole)  # "Safety eyes, 8 mm (2)" heads no part
         return
+    if found is not None and first.value == "eyes" and len(names) == 1 and p.mode != "materials" and founds(p, near=3):
+        found = replace(found, strong=True, marked=True)  # "Eyes", "Make 2" and their rounds
     lefts: list[list[Token]] = []
     shown = found is not None and found.strong and _SHOWN.search(line) is not None
     if (found is None or not (found.marked or shown)) and sentences(p, tokens, lefts):
@@ -215,6 +224,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             p.passed.append(whole)  # "Shape Face and Head:" is no part
             return
         called = found.name.lower().split()
+        titled = p.title is not None and called[-1] == "pattern" and len(called) > 1 and called[0] not in _PLANNED
+        if titled and _begun_below(p):
+            called = called[:-1]
+            found = replace(found, name=" ".join(found.name.split()[:-1]), strong=True)  # "DIRT PATTERN"
         plan = called[-1] in _PLANS or (p.heading is not None and called[0] in _JOININGS)
         if plan and found.copies_span is None and p.title is not None:
             p.passed.append(whole)  # "Stripe Pattern" and "Joining legs:" under BODY are no parts
@@ -256,6 +269,22 @@ def _dyed_copies(p: State, tokens: list[Token]) -> int:
     """Where the comma stands between copies and a yarn, of a line that says both and nothing else: "Make 2, with white yarn"; 0 for others."""
     cut = 2 if len(tokens) > 3 and tokens[2].word == "," else 0
     return cut if cut and copies_alone(tokens[:cut]) and dyed_only(p, tokens[cut + 1 :]) is not None else 0
+
+
+def _begun_below(p: State) -> bool:
+    """Whether a piece is begun in the next lines: with a first round, or with a sentence that founds it."""
+    row = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
+    said = p.vocabulary.read(row.tokens) if row is not None else []
+    return founds(p, near=2) or founding(said) or any(t.kind == "key" and t.value == "ring" for t in said)
+
+
+def _rounds_below(p: State) -> bool:
+    """Whether a first round stands right below, and no first step of the assembly: "Face and body:", "1. 6 sc in MR"."""
+    row = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
+    found = p.vocabulary.heads(row.tokens) if row is not None else []
+    if row is None or not found or found[0][1].numbers[:1] != (1,):
+        return False
+    return found[0][1].strong or rounds(p.vocabulary.read(row.tokens)[found[0][1].end :], True)
 
 
 def _defines(tokens: list[Token]) -> bool:

@@ -309,7 +309,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         p.passed.append(span)
         return True  # "do not fasten off", "do not stuff"
     try:
-        fresh = draft is None or (p.heading is not None and any(t.value == "ch" for t in tokens[:2]))
+        based = any(t.value == "ch" for t in tokens[:2]) or any(t.kind == "key" and t.value == "ring" for t in tokens)
+        fresh = draft is None or (p.heading is not None and based)
         body = decided(p.source, tokens, p.palette, None if fresh or draft is None else draft.edge, p.phrases)
     except NotUnderstood:
         return edging(p, tokens)

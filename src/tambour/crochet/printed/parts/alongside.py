@@ -13,7 +13,7 @@ from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.parts.bases import base, is_first
 from tambour.crochet.printed.parts.naming import named
 from tambour.crochet.printed.parts.part import Draft
-from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.doubts import tried
 from tambour.crochet.printed.rounds.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -63,8 +63,8 @@ def bordered(
         if passed + count > chained or "skip" in words:
             return None
         lead = [Action("skip", span, passed)] if passed else []
-    again = decided(p.source, tokens, p.palette, count, p.phrases, times)
-    if not again.fit:
+    again = tried(p.source, tokens, p.palette, count, p.phrases, times)
+    if again is None or not again.fit:
         return None
     if _TWO.search(words):
         p.source.doubt(

@@ -6,11 +6,10 @@ from dataclasses import replace
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action
-from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.parts.bases import MOST
 from tambour.crochet.printed.parts.part import Draft
-from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.doubts import tried
 from tambour.crochet.printed.rounds.reader import Body
 from tambour.crochet.printed.state import State
 
@@ -30,9 +29,8 @@ def anew(p: State, draft: Draft, head: Head, read: Body, span: Span) -> bool:
     first = head.numbers[0] if head.numbers else draft.last + 1
     for k in range(total):
         p.source.marked = draft.ahead()
-        try:
-            body = decided(p.source, words[k % many], p.palette, draft.edge, p.phrases)
-        except NotUnderstood:
+        body = tried(p.source, words[k % many], p.palette, draft.edge, p.phrases)
+        if body is None:
             return False
         if k == 0:  # "Join C and rep Rnd 6"
             begin = read.refers.span.start

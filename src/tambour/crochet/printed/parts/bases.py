@@ -17,7 +17,7 @@ from tambour.crochet.printed.parts.mend import is_start
 from tambour.crochet.printed.parts.naming import named
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.rounds.counts import makes
-from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.doubts import tried
 from tambour.crochet.printed.rounds.items import closes
 from tambour.crochet.printed.rounds.moved import Moved
 from tambour.crochet.printed.rounds.reader import Body
@@ -184,7 +184,7 @@ def frilled(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | N
     if at.times > 1 or frill.times > 1 or not {"color", "blo"} <= said[0] or "flo" not in said[1] or "goto" in said[0]:
         return None
     below = after(at.items, back, p.source.stitches) if back else None
-    again = decided(p.source, tokens, p.palette, below, p.phrases, times) if below else None
+    again = tried(p.source, tokens, p.palette, below, p.phrases, times) if below else None
     if below is None or again is None or not again.fit or again.stated is None:
         return None
     closed = closes(draft.lines[rounds[-3]])
@@ -215,8 +215,8 @@ def elsewhere(
     back = back_to(owner, place, None if limb else p.source.stitches) if owner.begun() and read.refers is None else None
     if back is not None:
         goto, edge, (ahead, behind) = back
-        again = decided(p.source, tokens, p.palette, edge, p.phrases, times)
-        if again.items and (again.fit or again.stated is None):
+        again = tried(p.source, tokens, p.palette, edge, p.phrases, times)
+        if again is not None and again.items and (again.fit or again.stated is None):
             if owner is not draft:
                 p.parts.remove(draft)
                 owner.lines += [line for line in draft.lines if not draft.begun()]
@@ -256,6 +256,10 @@ def based(p: State, draft: Draft, head: Head, read: Body, what: tuple[list[Token
     if not count or count > MOST:
         return None
     at = head.span
+    tokens, times = what
+    again = tried(p.source, tokens, p.palette, count, p.phrases, times)
+    if again is None:
+        return None
     p.source.doubt(
         f"{UNKNOWN}: it is worked on a chain of {count}",
         "name the round: join with sl st to Rnd 5 of Head",
@@ -269,8 +273,6 @@ def based(p: State, draft: Draft, head: Head, read: Body, what: tuple[list[Token
         Line(foundation(count, at, head.row), at, False, notes=said)
     )  # what is amiss in the round is not in its chain; where hands work it stands beside
     draft.edge, draft.flat = count, head.row
-    tokens, times = what
-    again = decided(p.source, tokens, p.palette, count, p.phrases, times)
     again.items = [i for i in lifted(again.items) if not (isinstance(i, Action) and i.name == "fold")]
     return again
 

@@ -12,10 +12,10 @@ from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
-from tambour.crochet.printed.cursor import Cursor, NotUnderstood
+from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.parts.bases import foundation
 from tambour.crochet.printed.parts.part import Draft
-from tambour.crochet.printed.rounds.doubts import decided
+from tambour.crochet.printed.rounds.doubts import tried
 from tambour.crochet.printed.rounds.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
@@ -78,9 +78,8 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
     if owner is None:
         return None
     edge = owner.edges[number]
-    try:
-        read = decided(p.source, tokens, p.palette, edge, p.phrases, times)
-    except NotUnderstood:
+    read = tried(p.source, tokens, p.palette, edge, p.phrases, times)
+    if read is None:
         return None
     if not read.fit and read.stated is not None:
         return None

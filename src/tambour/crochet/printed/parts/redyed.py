@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import pairwise
 
 from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Group, Item, Line
@@ -112,3 +113,43 @@ def dyed(item: Item, hues: Mapping[tuple[int, ...], tuple[int, ...]]) -> Item:
     if isinstance(item, Group):
         return replace(item, items=tuple(dyed(i, hues) for i in item.items))
     return replace(item, numbers=hues.get(item.numbers, item.numbers)) if item.name == "color" else item
+
+
+def worn(lines: list[Line], numbers: tuple[int, ...], hue: Item) -> list[Line] | None:
+    """``lines`` whose rounds of these ``numbers`` are worked in a yarn that is said behind them all, "Rnd 9: white"; None where they are not
+    all there. The yarn before them goes on after them."""
+    first, last = numbers[0], numbers[-1]
+    made: list[Line] = []
+    before: Line | None = None
+    left = last - first + 1
+    for line in lines:
+        dyed = any(isinstance(i, Action) and i.name == "color" for i in line.items)
+        if line.number is None or not line.in_round or line.again is not None:
+            before = Line(line.items, line.span, False) if dyed and not any(map(works, line.items)) else before
+            made.append(line)
+            continue
+        for piece in _parted(line, first, last + 1):
+            number = piece.number or 0
+            if number == first:
+                made.append(Line((hue,), span_of(hue), False))
+            elif number == last + 1 and before is not None and not left:
+                made.append(before)
+            left -= piece.times if first <= number <= last else 0
+            made.append(piece)
+    return None if left else made
+
+
+def _parted(line: Line, *at: int) -> list[Line]:
+    """A line of rounds as several, each of which ends before one of the numbers ``at``."""
+    begin = line.number or 0
+    cuts = [begin, *(n for n in at if begin < n < begin + line.times), begin + line.times]
+    return [
+        replace(
+            line,
+            times=to - since,
+            times_span=line.times_span if to - since > 1 else None,
+            number=since,
+            notes=line.notes if to == cuts[-1] else (),
+        )
+        for since, to in pairwise(cuts)
+    ]

@@ -66,6 +66,16 @@ def numbered_each(words: str) -> bool:
     return sum(int(m[1]) > 1 for m in _BARE.finditer(words)) > 1 and all(n < _MANY for n in same)
 
 
+def tried(
+    source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases, times: int = 1
+) -> Body | None:
+    """The body of a round on another edge than the one at the hook, None where its words cannot be worked there."""
+    try:
+        return decided(source, tokens, palette, edge, phrases, times)
+    except NotUnderstood:
+        return None
+
+
 def decided(
     source: Source,
     tokens: list[Token],
@@ -136,7 +146,8 @@ def decided(
     if body.refers is None and (body.stated is not None or known):
         begun = fit(body)
         open_span = _implied(body, edge, source.stitches)
-        if body.stated is not None and open_span is not None and not begun:
+        lone = begun == 1 and body.stated == edge and _lone(body.items)  # "sc in next sc (12)" on 12
+        if body.stated is not None and open_span is not None and (not begun or lone):
             body.asked["open"] = open_span
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
@@ -392,6 +403,13 @@ def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span 
         return None
     first, last = inner[0], inner[-1]
     return Span(first.span.start, last.span.end)
+
+
+def _lone(items: list[Item]) -> bool:
+    """Whether one stitch is all that items work."""
+    _, inner = led(items)
+    one = inner[0] if len(inner) == 1 else None
+    return isinstance(one, Action) and one.times == 1
 
 
 def _second(read: Callable[[frozenset[str]], Body], body: Body, begun: int, fit: Callable[[Body], int]) -> Body | None:

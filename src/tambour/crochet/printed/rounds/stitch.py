@@ -44,7 +44,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     c = r.c
     token = c.take()
     name, after = token.value, None
-    if before is None and c.whole() is not None and not (c.key("times", "more", ahead=1) or c.mark("x", ahead=1)):
+    grown = c.kind("stitch", 1) and c.look(1).glued  # type: ignore[union-attr]
+    often = c.key("times", "more", ahead=1) or c.mark("x", ahead=1)
+    if before is None and c.whole() is not None and not often and not grown:  # "inc 2sc" are two stitches
         after = c.take()
     if c.key("stitch") or (c.kind("stitch") and c.look().glued):  # type: ignore[union-attr]
         c.at += c.key("stitch")

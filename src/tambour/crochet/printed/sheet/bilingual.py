@@ -7,6 +7,7 @@ from typing import Final
 from tambour.crochet.printed.tokens import Row, Token
 
 _LEAST: Final = 4  # rounds that say all twice
+_ROUNDS: Final = frozenset("row rows round rounds rnd rnds".split())
 _CLOSED: Final = {")": "(", "]": "["}
 
 
@@ -26,7 +27,9 @@ def _twice(tokens: list[Token]) -> bool:
     at = next((k for k, t in enumerate(tokens) if _stroke(t)), 0)
     if at < 4 or not any(t.kind == "number" or t.word[-1:].isdigit() for t in tokens[:3]):
         return False
-    before = {t.word for t in tokens[:at] if t.kind == "word"}
+    before = {
+        t.word for t in tokens[:at] if t.kind == "word"
+    } - _ROUNDS  # "7 - 12 rows / 6 rows / - 36 sc" says all once
     behind = {t.word for t in tokens[at:] if t.kind == "word"}
     return bool(before and behind - before)
 

@@ -133,6 +133,23 @@ def torn(text: str, rows: list[Row]) -> list[Row]:
     return made
 
 
+_POINTED: Final = re.compile(r"\n\s*\((?i:see) [^()\n]{2,40}\)(?=,)|\((?i:see)\s*\n\s*[^()\n]{2,40}\)")
+"""What points to another page, and has a line to itself or is broken in two: "form a ring | (see illustration), 6 sc"."""
+
+
+def pointed(text: str, rows: list[Row]) -> list[Row]:
+    """``rows`` without what points to another page in the midst of a sentence, whose lines are one again."""
+    for found in _POINTED.finditer(text):
+        first = next((k for k, row in enumerate(rows) if row.start <= found.start() <= row.end), None)
+        last = next((k for k, row in enumerate(rows) if row.start < found.end() <= row.end), None)
+        if first is None or last is None or not rows[first].tokens:
+            continue
+        tokens = [t for row in rows[first : last + 1] for t in row.tokens]
+        kept = [t for t in tokens if t.end <= found.start() or t.start >= found.end()]
+        rows = [*rows[:first], Row(kept, rows[first].start, rows[last].end), *rows[last + 1 :]]
+    return rows
+
+
 def _breaks(text: str, above: Row, row: Row) -> bool:
     """Whether a line is the head of a round, and at most a word that ``row`` goes on from."""
     last, first = above.tokens[-1], row.tokens[0]

@@ -18,6 +18,7 @@ _CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
 _SC: Final = r"\w{2,6}"
 _ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
 _KIND: Final = "sc|hdc|dc|tr|single crochet|half double crochet|double crochet"
+_WEIGHT: Final = "(?:(?:sport|dk|worsted|aran|bulky|chunky|fingering)(?: weight)? )?"
 _UNLETTERED: Final = r"(?! (?:\(|:|mc|cc|[a-k])(?: |$))"
 _TURNED: Final = "(?:sc|single crochet)"
 
@@ -99,6 +100,34 @@ _IDIOMS: Final = tuple(
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
         # weblogs
+        (r"^([a-z]+(?: [a-z]+){0,2}) \( (make) (\w+) \) (in|with) ([a-z]+(?: [a-z]+)?)(?: :)?$", "{1} ( {2} {3} , {4} {5} )"),
+        (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook , (make) (\w+) \)", "( in {1} , {2} {3} )"),
+        (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook \)", "( in {1} )"),
+        (r"(attach|join|change to) ([a-z]+(?: ?- ?[a-z]+| [a-z]+)?) by (?:pulling|drawing) (?:up )?a loop through (?:the )?last (?:two|2|three|3) (?:loops|sts|stitches)(?: worked| on (?:the )?hook)?", "{1} {2}"),
+        (r"(?:(?:and|then) )?sc (?:in|into) (?:the )?(?:first|1st) (?:sc|st|stitch) of (?:this |the )?(?:round|rnd)(?: \d+)?(?= ?[.;(\[]| ?$)", "marker"),
+        (r"(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only)", "in {1} , sc around"),
+        (r"^yarn colou?r (\d|[a-h])(?: \.)?$", "color {1}"),
+        (r"change (?:the )?yarn to colou?r (\d|[a-h])", "change to color {1}"),
+        (r"((?:=|\)) \d+|\d+ \)) ,(?= (?:fill|stuff|sew|insert|cut|fasten|leave|attach|start|begin|add|put|place|embroider)\b)", "{1} ."),
+        (r", (?:the )?(?:torso|body|head|leg|arm) (?:is )?full$", ". stuff"),
+        (r"^colou?rs ([a-k])$", "color {1}"),
+        (r"^(\d+) \. - (\d+) \.", "{1} - {2} ."),
+        (r"^(\d+ (?:-|to) \d+ (?:rows|rounds|rnds)) / \d+ (?:rows?|rounds?|rnds?) / -?", "{1} -"),
+        (r"(?<=[.:] )(?:\( \d+ (?:rows?|rounds?|rnds?) \) )?unchanged(?= [(\[]| ?$)", "sc around"),
+        (r"^(\d+(?: - \d+)?) \) (\d+)$", "{1} : {2} sc"),
+        (r"\[ ?(?:rep|repeat) (rnds?|rounds?|rows?) (\d+) and (\d+) alternately ?\] (twice|\d+ times)", "rep {1} {2} and {3} {4}"),
+        (r"(?:form|make) (?:a )?slip ring", "magic ring"),
+        (r"in (?:the )?slip ring", "in ring"),
+        (r"(\( \d+(?: (?:sts?|sc|stitches))? \)|\[ \d+(?: (?:sts?|sc|stitches))? \]) -(?= (?:add|place|insert|put|attach|note|this|you|here|if|now|at this|use|make sure|don't|do not|before|remember|i|we|it|start|begin|mark|move|embroider|sew|pause|stop)\b)", "{1} ."),
+        (r"(?<!\d )(?:2|two) (sc|hdc|dc|tr) (?:together|tog)(?! (?:around|with|through|in)\b)", "{1} 2 tog"),
+        (r"(?:,|and|then) (?:repeat|rep) \* ?- ?\* (?:(?:un)?till?|to|through) (?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "repeat from * around"),
+        (r"(\*) ?[.,] ?(?:repeat|rep) \* ?- ?\* (?:(?:(?:un)?till?|til|to|through) )?(?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "{1} around"),
+        (r"(?:on|in) (?:the )?last (?:round|rnd|row) ,? ?sc (?:in|into) (?:the )?first (?:sc|st|stitch)(?: of (?:the |this )?(?:round|rnd|row))?(?= ?[.;]| ?$)", "marker"),
+        (r"(sc|work|crochet) (?:down|along|up) (?:the )?(?:chain|ch|row)(?= ?[.,;(\[]| ?$)", "{1} across"),
+        (r"(?:make|do|work) (?:a |1 |one )?(ss|sl st|slst|slip stitch)(?: -| ,)? only (?:in|into) (?:the )?(?:first|1st|next) (st|stitch)", "{1} in next {2}"),
+        (r"(colou?r) (?:\d|[a-h]) \( ((?!skip|see)[a-z]+(?: [a-z]+)?) \)(?= (?:for|:)| ?[.,;]| ?$)", "{1} {2}"),
+        (r"^(?:the )?colou?r (?:scheme|plan|order|sequence) (?:for|of) (?:(?:rnds?|rounds?|rows?) )?\d+ (?:-|to) \d+(?: (?:rnds?|rounds?|rows?))? ?[:.]?$", "marker"),
+        (r"^((?:start |begin )?(?:with )?(?:a |the )?(?:magic ring|magic circle|mr|mc) with \d+ sc) - 1 (?:rnd|round) ?\.?$", "round 1 : {1}"),
         (r"(?:around )?(?:until|till) (?:you )?(?:reach|get to|come to|are at|are back at) (?:the |your )?(?:marked (?:st|stitch)|(?:stitch )?marker|(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?)", "around"),
         (r"(?:do not|don't) (?:sl st|slip stitch|ss) (?:to|in|into) (?:the )?(?:beg|beginning|first|1st)(?: (?:st|stitch|sc))?", "do not join"),
         (r"(?<=magic ring and work )(\d+ (?:single crochets?|sc)) in it", "{1} in ring"),
@@ -119,7 +148,8 @@ _IDIOMS: Final = tuple(
         (rf"(?:dial|dials|type|recruit|collect|gain|cast on|cast|set) (\d+) ({_CHAINS})", "ch {1}"),
         (rf"(?:from|in|into|starting from|starting in) (?:the )?({_NTH}) (?:loop|link|air loop) from (?:the )?hook", "in {1} ch from hook"),
         (r"(?:knit|knitting) (\d+|a|one|around|in)", "{1}"),
-        (r"in (?:one|1|the same) (?:loop|column)", "in same st"),
+        (r"in (?:one|1) (?:loop|column)", "in 1 st"),
+        (r"in the same (?:loop|column)", "in same st"),
         (r"to (?:the )?end of (?:the )?(?:row|round|circle)", "around"),
         (r"(?:with|by) (?:a )?(?:connecting|half) (?:post|column|loop)", "with sl st"),
     )

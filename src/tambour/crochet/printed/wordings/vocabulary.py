@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import insort_right
 from collections.abc import Iterable
 from copy import copy
@@ -150,6 +151,15 @@ class Vocabulary:
         self._first = dict(self._first)
         self._alone = set(self._alone)
         self._read, self._heads, self._counts = {}, {}, {}
+
+    def part(self) -> None:
+        """Reads "sc inc" and "inc sc" as two stitches, not as an increase of single crochets."""
+        for first in self._alone:
+            self._first[first] = [
+                p
+                for p in self._first[first]
+                if not (len(p[0]) == 2 and p[2] in ("inc", "dec") and self._alone.issuperset(p[0]))
+            ]
 
     def stitches(self) -> list[str]:
         """The words of one piece that mean a stitch, for suggestions."""
@@ -314,6 +324,27 @@ def _length(phrase: tuple[tuple[str, ...], str, Any]) -> int:
 def _of_both(name: str) -> bool:
     """Whether a stitch has one name on both sides of the Atlantic."""
     return not any(kind in name for kind in ("sc", "dc", "tr"))
+
+
+_BESIDE: Final = re.compile(
+    r"(?:[(\[*:–-] *|\b[rR]\d+ +|\d[.)] *)(?:(?:sc|single crochet) (inc|dec)|(inc|dec) (?:sc|single crochet)) *[)\]*]? *(?:[x×*] *(\d+)|(\d+) *(?:x|times)) *[(\[=] *(\d+)",
+    re.IGNORECASE,
+)
+"""A repeat of a single crochet and a shaping that nothing parts, how often, and its count: "(sc inc) x 6 (18)"."""
+_ALONE: Final = re.compile(r"(?<![a-z] )\b(?:\d+ ?inc\b|inc ?[x×*] ?\d)", re.IGNORECASE)
+_GROWN: Final = re.compile(r"(?<!\d )(?<!\d)\bsc inc\b", re.IGNORECASE)
+
+
+def stand_beside(text: str) -> bool:
+    """Whether a text writes a single crochet and an increase beside each other as "sc inc": its counts say so, or, where none does, that its
+    increases are "inc" alone elsewhere."""
+    two = one = 0
+    for said in _BESIDE.finditer(text):
+        often, count = int(said[3] or said[4]), int(said[5])
+        plain = 2 if (said[1] or said[2]).lower() == "inc" else 1
+        two += count == often * (plain + 1)
+        one += count == often * plain
+    return two > one or (two == one == 0 and bool(_ALONE.search(text) and _GROWN.search(text)))
 
 
 @lru_cache(maxsize=16)

@@ -137,6 +137,7 @@ YARNS: Final[dict[str, RGB]] = {
     "purple": (112, 64, 140),
     "raspberry": (188, 42, 92),
     "red": (190, 38, 44),
+    "rosa": (240, 160, 184),
     "rose": (226, 136, 150),
     "rose pink": (232, 142, 164),
     "royal blue": (42, 72, 156),
