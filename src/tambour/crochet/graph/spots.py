@@ -52,6 +52,7 @@ class Spots:
         self._open: dict[int, list[Array]] = {}
         self._faces: list[Array] = []
         self._rims: dict[int, Array] = {}
+        self._begun: dict[int, Array] = {}
         self._ends: dict[int, int] = {}
         self._numbers: dict[int, list[int]] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
@@ -104,21 +105,22 @@ class Spots:
         for part, p in enumerate(graph.parts):
             if p.stuffing <= 0.0 or self.in_rows[part]:
                 continue
-            turns, weights, rings = [0.0], [0.0], [np.zeros(0, int)]
+            turns, weights = [0.0], [0.0]
+            rings: list[tuple[slice, Array, Array]] = []
             if not any((part, int(graph.round[r.first])) in joined for r in wide.get(part, ())):
                 continue
             for r in wide[part]:
-                nodes = np.arange(r.first, r.last + 1)
-                off = (x[nodes] - x[nodes].mean(0))[:, [0, 2]]
-                wanders = (part, int(graph.round[r.first])) in joined
-                turns.append(turns[-1] + (SLANT * 2.0 * math.pi / len(nodes) if wanders else 0.0))
-                weights.append(float((off**2).sum()))
-                rings.append(nodes)
-            mean = float(np.average(turns, weights=weights))
-            for turn, nodes in zip(turns[1:], rings[1:]):
-                c, s = math.cos(turn - mean), math.sin(turn - mean)
+                nodes = slice(r.first, r.last + 1)
                 middle = x[nodes].mean(0)
-                a, b = (x[nodes] - middle)[:, [0, 2]].T
+                off = (x[nodes] - middle)[:, [0, 2]]
+                wanders = (part, int(graph.round[r.first])) in joined
+                turns.append(turns[-1] + (SLANT * 2.0 * math.pi / len(off) if wanders else 0.0))
+                weights.append(float((off**2).sum()))
+                rings.append((nodes, middle, off))
+            mean = float(np.average(turns, weights=weights))
+            for turn, (nodes, middle, off) in zip(turns[1:], rings):
+                c, s = math.cos(turn - mean), math.sin(turn - mean)
+                a, b = off.T
                 x[nodes, 0], x[nodes, 2] = middle[0] + c * a - s * b, middle[2] + s * a + c * b
         return x
 
@@ -361,10 +363,11 @@ class Spots:
 
     def begun(self, part: int) -> Array:
         """The edge of a part that was worked first, where it is open: a chain joined to a ring; empty where it is closed."""
-        p = self.built.graph.parts[part]
-        if p.end <= p.start or (self.built.graph.peculiarity[p.start : p.end] == ROOT).any():
-            return np.zeros(0, int)
-        return self.edge(part, p.start)
+        if part not in self._begun:
+            p = self.built.graph.parts[part]
+            rooted = p.end <= p.start or (self.built.graph.peculiarity[p.start : p.end] == ROOT).any()
+            self._begun[part] = np.zeros(0, int) if rooted else self.edge(part, p.start)
+        return self._begun[part].copy()
 
     def rim(self, part: int) -> Array:
         """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""

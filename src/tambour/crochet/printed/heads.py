@@ -70,7 +70,7 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
     if c.mark("(", "[") and c.whole(1) is not None:
         c.at += 1
     first = c.look()
-    if first is None:
+    if first is None or first.kind == "mark":
         return None
     row = strong = other = False
     many = 1
@@ -85,8 +85,8 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
             c.at += 1
         if not list_of_numbers(c, numbers, first.word.endswith("s")):
             return None
-    elif _unnumbered(c) is not None:
-        many, ahead = _unnumbered(c) or (1, 0)
+    elif (unnumbered := _unnumbered(c)) is not None:
+        many, ahead = unnumbered
         row, strong = c.key("row", ahead=ahead), True
         c.at += ahead + 1
     elif (first.kind == "ordinal" or (first.kind == "number" and c.mark(".", ahead=1))) and list_of_ordinals(

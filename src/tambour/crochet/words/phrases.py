@@ -88,6 +88,12 @@ def _fixed(template: str) -> tuple[str, ...]:
     return tuple(sorted(words, key=len, reverse=True))
 
 
+@lru_cache(maxsize=256)
+def _compiled(said: str) -> re.Pattern[str]:
+    """An expression; most are the same in every text."""
+    return re.compile(said, re.IGNORECASE)
+
+
 def number(value: float) -> str:
     """A number as it is read back, without an exponent."""
     return str(int(value)) if value == int(value) else format(Decimal(repr(float(value))), "f")
@@ -350,7 +356,7 @@ class Phrases:
     def _compiled(self, key: str) -> re.Pattern[str]:
         found = self._patterns.get(key)
         if found is None:
-            found = self._patterns[key] = re.compile(self._regex(self.terms.sentences[key], True), re.IGNORECASE)
+            found = self._patterns[key] = _compiled(self._regex(self.terms.sentences[key], True))
         return found
 
     def _regex(self, template: str, named: bool) -> str:

@@ -47,7 +47,7 @@ def shortened(tokens: list[Token]) -> list[Token]:
             made += [Token("key", "in", key.start, key.start, "in"), key]
             at += 3 + (at + 3 < len(tokens) and tokens[at + 3].word == "in")
             continue
-        if (looped := _LOOPED.fullmatch(tokens[at].word)) is not None and tokens[at].kind == "stitch":
+        if tokens[at].kind == "stitch" and (looped := _LOOPED.fullmatch(tokens[at].word)) is not None:
             end = tokens[at].end
             made += [Token("key", "in", end, end, "in"), Token("key", looped[1], end, end, _LOOPS[looped[1][0]])]
             at += 1 + (at + 1 < len(tokens) and tokens[at + 1].word == "in")
@@ -73,8 +73,8 @@ _LONGEST: Final = 45  # tokens of a stitch that is spelled out
 
 def _hyphened(tokens: list[Token], at: int) -> Token | None:
     """The loops that are said of the stitch at ``at`` by a hyphen: "sc-blo"; None where none are."""
-    after = tokens[at + 1 : at + 3]
-    said = tokens[at].kind == "stitch" and len(after) == 2 and after[0].word == "-" and after[0].start == tokens[at].end
+    after = tokens[at + 1 : at + 3] if tokens[at].kind == "stitch" else []
+    said = len(after) == 2 and after[0].word == "-" and after[0].start == tokens[at].end
     return after[1] if said and after[1].start == after[0].end and after[1].value in _LOOPS.values() else None
 
 

@@ -62,9 +62,10 @@ def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
             _learn(name, shelf.get(low, ("", ""))[1], palette, vocabulary)
     for purpose in dict.fromkeys(m[1] for m in _PURPOSES.finditer(text)):
         _learn(purpose, "", palette, vocabulary)
+    small = text.lower()
     for low, (name, also) in shelf.items():
         if _color(name, also) is not None and re.search(
-            rf"(?:[(,–-] ?(?:in )?|\b(?:in|with|using|to|join|attach|add|pick up) ){re.escape(low)}\b", text.lower()
+            rf"(?:[(,–-] ?(?:in )?|\b(?:in|with|using|to|join|attach|add|pick up) ){re.escape(low)}\b", small
         ):
             _learn(name, also, palette, vocabulary)
 

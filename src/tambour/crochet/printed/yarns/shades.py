@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from functools import cache
+from functools import cache, lru_cache
 from typing import Final
 
 from tambour.core.rgb import RGB, css_colors
@@ -399,6 +399,11 @@ def _itemised(line: str) -> dict[str, str]:
 
 def listed(line: str) -> dict[str, str]:
     """The letters that a list of materials gives to yarns → the names of their colours; "" for a yarn without a letter."""
+    return dict(_listed(line))
+
+
+@lru_cache(maxsize=256)
+def _listed(line: str) -> dict[str, str]:
     found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line) if m[2].strip().lower() not in MILLS}
     found = {**_itemised(line), **found}
     found = {**{m[2].lower(): m[1].strip() for pattern in (_AS, _ENDED) for m in pattern.finditer(line)}, **found}
