@@ -49,9 +49,10 @@ DRAWN, BEYOND = 0.7, 0.15
 widths, they still do at the most."""
 DOMES, DOME = (0.28, 0.36), 2.4
 """How far a ring's and a tip's middle is pushed out, and over how far about it that falls off; in widths."""
-GATHERED = 0.55
-"""How far the heads of a last round are drawn in to its tip, as a share of how far they are from it."""
-PULLED = 0.14
+GATHERED = (0.65, 0.35, 0.12)
+"""How far the heads of a last round are drawn in to its tip, as a share of how far they are from it; those of the round that it stands on,
+and of the one before."""
+PULLED = (0.14, 0.07, 0.02)
 """How far in they are drawn, in widths."""
 STOUT = 24
 """Parts of fewer stitches around are limbs, whose ends are round by themselves."""
@@ -190,13 +191,23 @@ def domed(graph: StitchGraph, x: Array) -> Array:
 
 def gathered(graph: StitchGraph, x: Array) -> Array:
     """Positions (N, 3) with the last round drawn together where it is closed: the yarn's end goes through its heads and is pulled tight,
-    so that no hole is left, and its stitches lie there like those of a ring."""
+    so that no hole is left, and its stitches lie there like those of a ring. What they stand on comes along: where it stayed, holes opened
+    between the feet of the last round."""
     tips = np.flatnonzero(graph.peculiarity == TIP).tolist()
     made, normal = x.copy(), vertex_normals(x, graph.faces) if tips else x
     for t in tips:
-        last = graph.anchors[graph.anchor_offsets[t] : graph.anchor_offsets[t + 1]]
-        # The end is pulled inside: where twelve legs meet they lie deeper than their neighbours, and are no knob on top.
-        made[last] += GATHERED * (x[t] - x[last]) - PULLED * graph.stitch_width * normal[t]
+        ring, drawn = np.array([t]), np.zeros(len(graph), np.bool_)
+        drawn[(graph.part != graph.part[t]) | (graph.peculiarity == ROOT)] = True
+        for share, deep in zip(GATHERED, PULLED):
+            below = np.unique(
+                np.concatenate([graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]] for i in ring])
+            )
+            ring = below[~drawn[below]]
+            if not len(ring):
+                break
+            # The end is pulled inside: where twelve legs meet they lie deeper than their neighbours, and are no knob on top.
+            made[ring] += share * (x[t] - x[ring]) - deep * graph.stitch_width * normal[t]
+            drawn[ring] = True
     return made
 
 

@@ -1,0 +1,48 @@
+"""Closed: where a last round is drawn together no hole shows what lies under the yarn."""
+
+from __future__ import annotations
+
+from math import radians
+
+import numpy as np
+from scipy.ndimage import distance_transform_edt
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.yarn.fabric import mesh, strands
+from tambour.render.camera import look
+from tambour.render.cover import cover, turn
+from tambour.render.raster import shut
+
+BALL = """R1: MR(6)
+R2: 6 inc
+R3: [sc, inc] x 6
+R4: [2 sc, inc] x 6
+R5: [3 sc, inc] x 6
+5: 30 sc
+: [3 sc, dec] x 6
+: [2 sc, dec] x 6
+: [sc, dec] x 6
+: 6 dec
+FO
+"""
+
+
+def test_a_drawn_together_end_shows_no_hole_wider_than_a_third_of_the_yarn() -> None:
+    made = make(Text(BALL), CrochetParams(), Progress())
+    graph, x = made.built.graph, made.positions
+    led = strands(graph, x)
+    drawn = mesh(graph, x, made=led)
+    yarn = 2.0 * float(np.median(led.radius))
+    camera = look(drawn.vertices, width=900, height=900, azimuth=0.0, elevation=radians(88), lens=radians(26))
+    u, v, w = turn(drawn.vertices - camera.eye, camera.axes)
+    near = 1.0 / np.maximum(-w, 1e-9)
+    depth = np.full((camera.height, camera.width), -np.inf, np.float32)
+    face = np.full(depth.shape, -1, np.int32)
+    u, v = u * near * camera.scale + camera.width / 2, camera.height / 2 - v * near * camera.scale
+    cover(u, v, near, drawn.faces, depth, face, -shut(drawn))
+    seen = (face >= 0) & (drawn.face_group[face] == drawn.group_names.index("lining"))
+    wide = np.where(seen, 2.0 * distance_transform_edt(seen) / (camera.scale * np.maximum(depth, 1e-9)), 0.0) / yarn
+    assert wide.max() < 1.0 / 3.0
