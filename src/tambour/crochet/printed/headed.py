@@ -37,6 +37,7 @@ from tambour.crochet.printed.rounds.items import EVENED, evens
 from tambour.crochet.printed.rounds.items import works as works_some
 from tambour.crochet.printed.rounds.motifs import chained
 from tambour.crochet.printed.rounds.moved import Moved
+from tambour.crochet.printed.rounds.otherwise import two_sided
 from tambour.crochet.printed.rounds.reader import Body
 from tambour.crochet.printed.rounds.reckoned import worked as stitches_of
 from tambour.crochet.printed.state import State
@@ -133,7 +134,7 @@ class Headed(State):
     def _said(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
         """The round as its words say, or as a gap."""
         several = len(head.numbers) if len(head.numbers) > 1 else head.many
-        tokens = _sought(tokens)
+        tokens = self._of_one(_sought(tokens))
         if several > 1 and (cut := _shaped_last(tokens)) is not None:
             those = replace(head, numbers=head.numbers[:-1], many=several - 1 if head.many > 1 else head.many)
             self._said(draft, those, cut[0], Span(span.start, cut[0][-1].end))
@@ -309,6 +310,21 @@ class Headed(State):
             )
             draft.sure = False
         self.passed += [Span(left[0].start, left[-1].end) for left in unread if left not in instructive]
+
+    def _of_one(self, tokens: list[Token]) -> list[Token]:
+        """A round that two pieces end otherwise, "For the right leg: 7 sc, fasten off; for the left leg: 14 sc", as that of the first; what is said of the
+        other is told."""
+        found = two_sided(tokens)
+        if found is None:
+            return tokens
+        mine, other = found
+        span = Span(other[0].start, other[-1].end)
+        self.tell(
+            "the pieces of this part differ here, and both are made like the first",
+            "give each a heading of its own",
+            span,
+        )
+        return mine
 
     def _bordered(
         self, draft: Draft, head: Head, read: Body, place: Moved | None, what: tuple[list[Token], int, Span]

@@ -419,13 +419,23 @@ def _back_along(tokens: list[Token]) -> bool:
     said = [t for t in tokens if t.kind != "mark" or t.word not in ",.;"]
     if len(said) == 2 and any(t.value == "ch" for t in said):
         return any(t.kind == "number" and t.value > 3 for t in said)  # "Rnd 1: ch 6"
+    begun = next((k for k, t in enumerate(said) if t.kind == "stitch"), 0)
+    said = said[begun - (begun > 0 and said[begun - 1].kind == "number") :]  # behind "With red yarn,"
     if len(said) < 5 or (
         {said[0].value, said[1].kind} != {"ch", "number"} and {said[1].value, said[0].kind} != {"ch", "number"}
     ):
         return False
     many = said[0].value if said[0].kind == "number" else said[1].value
+    if many > 3 and any(t.value == "ch" and _into(said, k) for k, t in enumerate(said) if k > 1):
+        return True  # "ch 10, sl st in next 3 ch, …", "… along the other side of the ch"
     last = said[-2] if said[-1].word in (")", "]") else said[-1]
     return many > 3 and last.kind == "number" and many - 2 <= last.value < many
+
+
+def _into(tokens: list[Token], k: int) -> bool:
+    """Whether the chain at ``k`` is what is worked into, or along: "in next 3 ch", "in last ch", "other side of ch"."""
+    before = [t.value for t in tokens[max(0, k - 3) : k]]
+    return "space" not in [t.value for t in tokens[k + 1 : k + 3]] and ("in" in before or "side" in before)
 
 
 def _place_of_work(token: Token) -> bool:

@@ -33,6 +33,7 @@ from tambour.crochet.printed.sheet.pages import pages
 from tambour.crochet.printed.sheet.pasted import pasted
 from tambour.crochet.printed.sheet.recognise import recognised
 from tambour.crochet.printed.sheet.runs import listed, parted
+from tambour.crochet.printed.sheet.spirals import spirals
 from tambour.crochet.printed.sheet.stepped import stepped
 from tambour.crochet.printed.sheet.tables import tabled
 from tambour.crochet.printed.sheet.tallies import tallied
@@ -48,6 +49,7 @@ from tambour.crochet.printed.wordings.echoes import echoed
 from tambour.crochet.printed.wordings.edges import ended
 from tambour.crochet.printed.wordings.idioms import plainly
 from tambour.crochet.printed.wordings.newyarn import respun
+from tambour.crochet.printed.wordings.rendered import rendered
 from tambour.crochet.printed.wordings.risings import counting
 from tambour.crochet.printed.wordings.shells import shelled
 from tambour.crochet.printed.wordings.shorthand import numbered, signs, unlisted
@@ -166,8 +168,12 @@ class State:
             called = TERMS[self.language.code].words["round"][0].lower()
             self.rows = pasted(source.text.text, self.rows, self.vocabulary, called)
         if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
-            self.rows = echoed(doubled(told(counting(respun(ended(shelled(plainly(self.rows, self.vocabulary))))))))
-            self.rows = stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
+            self.rows = echoed(
+                doubled(told(counting(respun(ended(shelled(plainly(rendered(self.rows), self.vocabulary)))))))
+            )
+            self.rows = spirals(
+                stepped(source.text.text, self.rows, TERMS[self.language.code].words["round"][0].lower())
+            )
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
             self.rows = changes(self.rows, self.vocabulary, terms)

@@ -15,10 +15,13 @@ _NAME: Final = 3  # words of a part's name
 _COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
 
+_LIFTS: Final = 3  # chains that only lift the yarn
 _BY_HAND: Final = frozenset(("stuff", "fasten off", "close", "eyes", "marker"))
 """What hands do between rounds, on a line of its own."""
 _LISTS: Final = ("*", "-", "–", "•", "·", "●", "▪", "+")
 """Signs of the things of a list."""
+_POINTS: Final = frozenset(_LISTS) - {"*", "+"}
+"""Those that are no sign of a repeat."""
 
 
 def wrapped(p: State, row: Row, after: Row) -> bool:
@@ -81,6 +84,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     last, first = before[-1], tokens[0]
     if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):
         return tokens
+    if _pointed(p, row) and any(t.kind == "stitch" for t in before):
+        return None  # the next point of a list, whose numbers the page drew
     if first.kind == "mark" and first.word in "([{*=":
         hue = p.palette.color(Cursor(tokens), 1) if first.word in "([" else None
         return None if hue is not None and hue[1] == len(tokens) - 2 else tokens  # "(Red)" heads the next rounds
@@ -88,6 +93,10 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     told = tokens[3:] if stays else tokens
     if told and told[0].value in ("in", "around", "over", "side", "turn") and _other_side(told) and not _joined(before):
         return tokens  # "Working in rem loops of foundation ch, …" goes on with the first round
+    head = p.vocabulary.heads(p.rows[at - 1].tokens) if p.rows[at - 1].tokens else []
+    alone = bool(head) and head[0][1].strong and head[0][1].end == len(before) and not row.marked
+    if alone and first.value in ("with", "ring", "begin") and any(t.kind == "stitch" for t in tokens):
+        return tokens  # "Round 1:", and "With red yarn, ch 20, …" below it
     below = p.rows[at - 1].tokens and not row.marked and not founding(tokens)
     worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (
         first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "stitch"
@@ -95,6 +104,7 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     counted = last.word in (")", "]", "}") or (
         last.value == "stitch" and len(before) > 1 and before[-2].kind == "number"
     )
+    counted = counted or (len(before) > 2 and last.kind == "number" and before[-2].word == "=")
     if counted and any(t.kind == "key" and t.value == "fasten off" for t in tokens):
         return None  # "Rnds 8-20: dc. 12 sts", and "1 dc, ss, fasten off" below it
     if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
@@ -110,6 +120,12 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
         return tokens
     return None
+
+
+def _pointed(p: State, row: Row) -> bool:
+    """Whether a line bears the sign of a point of a list."""
+    whole, first = p.source.text.text, row.tokens[0].start
+    return whole[whole.rfind("\n", 0, first) + 1 : first].strip() in _POINTS
 
 
 def _heads_part(p: State, at: int) -> bool:
@@ -130,7 +146,12 @@ def _other_side(tokens: list[Token]) -> bool:
 def _joined(before: list[Token]) -> bool:
     """Whether a round that did not begin in a chain from the hook, or that is joined, stands before."""
     keys = [t.value for k, t in enumerate(before) if t.kind == "key" and not (k and before[k - 1].value == "not")]
-    return "hook" not in keys or "join" in keys or any(t.kind == "key" and t.value == "side" for t in before)
+    begun = next((k for k, t in enumerate(before) if t.kind == "stitch"), len(before))
+    near = [*before[max(0, begun - 1) : begun], *before[begun + 1 : begun + 2]]
+    chained = before[begun : begun + 1] and before[begun].value == "ch"  # "ch 20, sl st in next 3 ch, …"
+    chained = chained and any(t.kind == "number" and t.value > _LIFTS for t in near)
+    side = any(t.kind == "key" and t.value == "side" for t in before)
+    return not ("hook" in keys or chained) or "join" in keys or side
 
 
 def stop_between(p: State, before: list[Token], at: int) -> list[Token]:

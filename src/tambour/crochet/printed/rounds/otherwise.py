@@ -10,6 +10,7 @@ from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.rounds.reckoned import worked
 from tambour.crochet.printed.rounds.repeats import led
+from tambour.crochet.printed.tokens import Token
 
 
 def run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item] | None:
@@ -103,3 +104,25 @@ def singly(items: list[Item], stitches: dict[str, Stitch]) -> list[Item]:
             item = replace(item, items=(plain, *item.items[1:]))
         made.append(item)
     return made
+
+
+_SIDES: Final = frozenset(("first", "1st", "right", "left", "second", "2nd", "other"))
+_LIMBS: Final = frozenset("leg arm ear wing foot hand paw fin horn sleeve shoe boot eye one piece".split())
+
+
+def two_sided(tokens: list[Token]) -> tuple[list[Token], list[Token]] | None:
+    """The words of a round for one of two pieces, and those for the other: "For the right leg: 7 sc, fasten off; for the left leg: 14 sc"; None
+    where none are."""
+    other = next((k for k in range(1, len(tokens)) if tokens[k - 1].word in (";", ".") and _for_one(tokens, k)), 0)
+    if not other or not all(any(t.kind == "stitch" for t in some) for some in (tokens[:other], tokens[other:])):
+        return None
+    colon = next(k for k in range(other, len(tokens)) if tokens[k].word == ":")
+    begin = next(k for k in range(other) if tokens[k].word == ":") + 1 if _for_one(tokens, 0) else 0
+    named = tokens[colon - 1].word in _LIMBS
+    return (tokens[begin : other - 1], tokens[other:]) if named else None
+
+
+def _for_one(tokens: list[Token], k: int) -> bool:
+    """Whether "for the right leg:" stands there; fillers may be gone."""
+    colon = next((n for n in range(k + 2, min(k + 5, len(tokens))) if tokens[n].word == ":"), 0)
+    return bool(colon) and tokens[k].word == "for" and any(t.word in _SIDES for t in tokens[k:colon])

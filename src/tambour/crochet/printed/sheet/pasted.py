@@ -10,6 +10,7 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.heads import heads
+from tambour.crochet.printed.sheet.listings import headed, ranged, relaid
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.reworded import reworded
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
@@ -109,7 +110,7 @@ def pasted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> l
     rows = [_opened(row, cuts) for row in rows] if cuts else rows
     rows = [_said(_pointed(row)) for row in rows]
     rows = _lettered(rows) if vocabulary.code in ("us", "uk", "letters") else rows
-    rows = _resumed(_sloped(rows))
+    rows = _resumed(_sloped(relaid(text, rows, vocabulary, called)))
     rows = [part for row in rows for part in _apart(row, vocabulary)]
     return _relisted(text, rows, vocabulary, called)
 
@@ -215,16 +216,19 @@ def _by_letter(tokens: list[Token]) -> tuple[list[Token], int] | None:
     """The numbers of such a line's rows, with the dash between them, and where its words begin."""
     k = 0
     numbers: list[Token] = []
+    if ranged([*tokens[:3], Token("mark", ":", 0, 0), Token("mark", ":", 0, 0)], 0):
+        numbers, k = tokens[:2], 2  # "8-12p"
     while k + 2 < len(tokens) and tokens[k].kind == "number" and tokens[k + 1].word in _ROW_LETTERS:
         if len(tokens[k + 1].word) == 1 and not tokens[k + 1].glued:
             return None
         numbers.append(tokens[k])
         k += 2
         k += k < len(tokens) and tokens[k].word == "."
-        if len(numbers) == 1 and k < len(tokens) and tokens[k].word == "-":
+        if len(numbers) == 1 and k < len(tokens) and tokens[k].word == "-":  # "8p-12p"
             numbers.append(tokens[k])
             k += 1
             continue
+        k += k < len(tokens) and tokens[k].word == ":"
         return (numbers, k) if k < len(tokens) and tokens[k].word != "," else None
     return None
 
@@ -262,7 +266,7 @@ def _resumed(rows: list[Row]) -> list[Row]:
         if len(tokens) < 4 or tokens[0].kind != "number" or not isinstance(tokens[0].value, int):
             continue
         first = tokens[0].value
-        if _ranged(tokens, 0):
+        if ranged(tokens, 0):
             last = int(tokens[2].value) if first == last + 1 else 0
         elif tokens[1].word == "." and tokens[1].glued and not tokens[2].glued:
             follows = first == item + 1 and 0 < item < last
@@ -284,7 +288,7 @@ def _apart(row: Row, vocabulary: Vocabulary) -> list[Row]:
         dashed = tokens[k].word == "-" and not tokens[k].glued
         if dashed and _named(tokens, k + 1, vocabulary):
             cuts.append((k, k + 1))
-        elif not dashed and _ranged(tokens, k) and _works(tokens[k + 4], vocabulary):
+        elif not dashed and ranged(tokens, k) and _works(tokens[k + 4], vocabulary):
             cuts.append((k, k))
     if not cuts:
         return [row]
@@ -307,25 +311,6 @@ def _named(tokens: list[Token], k: int, vocabulary: Vocabulary) -> bool:
     found = vocabulary.read(tokens[k : k + 2])
     said = len(found) == 2 and found[0].kind == "key" and found[0].value in _ROUNDED and found[1].kind == "number"
     return said and k + 2 < len(tokens) and tokens[k + 2].word == ":"
-
-
-def _ranged(tokens: list[Token], k: int) -> bool:
-    """Whether "7-18. 48 sc" stands there."""
-    first, dash, last, stop, after = (*tokens[k : k + 5], *[None] * 5)[:5]
-    return (
-        first is not None
-        and dash is not None
-        and last is not None
-        and stop is not None
-        and after is not None
-        and isinstance(first.value, int)
-        and first.kind == last.kind == "number"
-        and dash.word == "-"
-        and stop.word in (".", ":", ")")
-        and isinstance(last.value, int)
-        and last.value > first.value
-        and not after.glued
-    )
 
 
 _AGAIN: Final = frozenset(("repeat", "rep", "again"))
@@ -352,8 +337,13 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
                 n, far = span[1], 0
                 at += 1
                 continue
-            if heads(vocabulary.read(row.tokens), text):
-                break
+            if found := heads(vocabulary.read(row.tokens), text):
+                place, head = found[0]
+                if place or head.numbers[:1] != (n + 1,):
+                    break
+                n, far = head.numbers[-1], 0  # one that bears its number among those that bear none
+                at += 1
+                continue
             bare = _bare(row, vocabulary)
             if bare and _founds(row, vocabulary):
                 break
@@ -367,7 +357,7 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
             at += 1
         if len(run) >= _RUN and not all(_bears(rows[line].tokens, number) for line, number in run):
             for line, number in run:
-                made[line] = _headed(rows[line], number, called)
+                made[line] = headed(rows[line], number, called)
         k = max(at, k + 1)
     return made
 
@@ -388,7 +378,7 @@ def _bears(tokens: list[Token], number: int) -> bool:
 
 def _span(tokens: list[Token]) -> tuple[int, int] | None:
     """The rounds that a line's own number names, "7-18. 48 sc"; None where it names none."""
-    if len(tokens) > 4 and _ranged(tokens, 0):
+    if len(tokens) > 4 and ranged(tokens, 0):
         return int(tokens[0].value), int(tokens[2].value)
     return None
 
@@ -403,6 +393,7 @@ def _closes(tokens: list[Token]) -> bool:
         return (inner[1].kind == "number" and inner[0].word in ("(", "[", "{")) or (
             inner[0].kind == "number" and len(tokens) > 4 and tokens[-4].word in ("(", "[", "{")
         )
+    tokens = tokens[:-1] if tokens[-1].word in _SHORT and tokens[-3].word == "=" else tokens
     return tokens[-1].kind == "number" and tokens[-2].word == "="
 
 
@@ -422,14 +413,3 @@ def _founds(row: Row, vocabulary: Vocabulary) -> bool:
     """Whether a line begins a piece: in a ring, or with a chain."""
     said = vocabulary.read(row.tokens)
     return any(t.value in ("ring", "hook") for t in said) or said[0].value == "ch"
-
-
-def _headed(row: Row, number: int, called: str) -> Row:
-    """``row`` as round ``number``."""
-    at = row.tokens[0].start
-    head = [
-        Token("word", called, at, at, capital=True),
-        Token("number", str(number), at, at, number),
-        Token("mark", ":", at, at, None, True),
-    ]
-    return replace(row, tokens=[*head, *row.tokens])

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
+from tambour.crochet.printed.sheet.listings import ranged
 from tambour.crochet.printed.tokens import Row, Token
 
 _NEAR: Final = 9  # lines before and after that show how wide the column is, where the whole text does not
@@ -22,6 +23,7 @@ _ENDED: Final = re.compile(r"[.!?:)\]}”\"*][ \t]*$")
 _OWN: Final = 3  # lines that begin in small letters behind what a mark ended, before that is a writer's habit
 _COUNTED: Final = re.compile(r"\d[ \t]+(?:sts?|stitches|sc|dc|m|maschen|mailles|puntos|steken)[ \t]*$", re.IGNORECASE)
 """A line that ends with its round's count: "… rep from * to end. 18 sts"."""
+_COUNT: Final = re.compile(r"= ?\d+(?: sc| sts?)?[ \t]*$")
 _LESS: Final = 0.8  # where a small letter goes on with what no mark ended
 _POINT: Final = re.compile(r"[ \t]*(?:[•▪●■○✓☐◦]|[A-Za-z][\w ]{0,20} = )")
 _NUMBERED: Final = re.compile(r"[ \t]*\d{1,2}[.)][ \t]+[A-Z]")
@@ -210,6 +212,10 @@ def _column(lengths: list[int], cut: list[bool]) -> int:
     return widest if _NARROWEST <= widest <= _WIDEST and full >= max(_WHOLLY, len(known) // 30) else 0
 
 
+def _dashed(line: str) -> bool:
+    return line.lstrip()[:2] in ("- ", "– ")
+
+
 def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list[Token], bool], bool]) -> bool:
     """Whether a line begins a round, a point of a list, a sentence that the line above it cannot go on with, or a heading; or whether that
     line is a heading itself."""
@@ -222,6 +228,10 @@ def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list
         return True
     if said[:1].isupper() and _COUNTED.search(text, above.start, above.end):
         return True
+    line = text[above.start : above.end]
+    pointed = _dashed(said) and (_dashed(line) or _COUNT.search(line) is not None)
+    if pointed or (ranged(row.tokens, 0) and row.tokens[4].kind == "number"):
+        return True  # a point of a list below another, "8-12. 42 sc"
     words = said.split()
     named = _TITLE.match(said) is not None or _COPIES.match(said) is not None
     titled = said[:1].isupper() and len(words) <= _SHORT and not said.endswith(".")

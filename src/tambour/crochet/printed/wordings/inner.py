@@ -320,13 +320,17 @@ def evened(tokens: list[Token]) -> list[Token]:
             numbers[0],
             *tokens[end:],
         ]
-    if begin > 1 and (begin == 2 or tokens[begin - 3].word in (":", ".", ",")) and tokens[begin - 2].kind == "word":
+    listed = begin > 1 and tokens[begin - 1].word == "," and tokens[begin - 2].kind == "word"  # no "R4: dec 6 evenly"
+    if listed and (begin == 2 or tokens[begin - 3].word in (":", ".", ",")):
         around = Token(
             "key", "~", tokens[begin - 1].start, tokens[begin - 1].start, "around"
         )  # "sc, decreasing 6 sts evenly"
         return [*tokens[: begin - 1], around, tokens[begin - 1], shapes[0], numbers[0], *tokens[end:]]
     made = [*tokens[:begin], shapes[0], numbers[0], *tokens[end:]]
-    if begin == 0 or tokens[begin - 1].word == ":" or not any(t.kind != "mark" for t in tokens[:begin]):
+    numbered = (
+        1 < begin <= 3 and tokens[begin - 1].word == "." and tokens[begin - 2].kind == "number"
+    )  # "4. Dec 2 evenly"
+    if begin == 0 or numbered or tokens[begin - 1].word == ":" or not any(t.kind != "mark" for t in tokens[:begin]):
         place = tokens[begin]
         made[begin:begin] = [
             Token("stitch", "~", place.start, place.start, "sc"),

@@ -35,11 +35,15 @@ _LISTED: Final = re.compile(
 )
 """A yarn of a list of materials, with how much of it is wanted."""
 _PURPOSES: Final = re.compile(
-    r"\b(?i:(?:change|switch|swap)(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
-    r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b)",
+    r"\b(?i:(?:change|switch|swap)(?: (?:the )?(?:thread|yarn|colou?r))?(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
+    r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b| \d)",
     re.MULTILINE,
 )
 """A yarn that is called by what is made of it: "Change to dress color"."""
+_OWNERS: Final = re.compile(
+    r"\b(?i:change|switch|changing|switching) (?:the )?(?:(?:thread|yarn|colou?r) )?to the (?:colou?r|yarn) of the ([a-z][^\W\d_]{2,})\b"
+)
+"""And so behind it: "Change the thread to the color of the jacket"."""
 _NO_NAME: Final = frozenset(
     """round rnd row right left wrong side yarn color colour main contrast cotton wool acrylic chenille worsted stuffing fiberfill felt floss
     thread hook needle eyes spiral rounds rows magic same other both two double one each all your this that these those another next last
@@ -60,7 +64,7 @@ def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
         plain = low in shelf or name[0].isupper() or dyed(name) is not None
         if plain and (low not in parts or low in shelf):
             _learn(name, shelf.get(low, ("", ""))[1], palette, vocabulary)
-    for purpose in dict.fromkeys(m[1] for m in _PURPOSES.finditer(text)):
+    for purpose in dict.fromkeys(m[1] for said in (_PURPOSES, _OWNERS) for m in said.finditer(text)):
         _learn(purpose, "", palette, vocabulary)
     small = text.lower()
     for low, (name, also) in shelf.items():
