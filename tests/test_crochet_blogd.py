@@ -193,3 +193,52 @@ def test_a_row_for_the_back_half_loops_in_its_head() -> None:
     assert account(found)["rounds_taken"] == 0
     assert [w.made for w in build(found).worked if w.line.in_round] == [6, 12, 12, 12, 12]
     assert any("blo" in names(line) for line in found.parts[0].lines)
+
+
+@pytest.mark.parametrize("said", ["Rows 3-5: (3 rows) (12)", "Rnd 3-5: 3 rounds (12)", "3-5. (3 rows) (12)"])
+def test_rounds_that_only_say_how_many_they_are(said: str) -> None:
+    words = f"Newt\nHead\nRow 1: 6 sc in magic ring (6)\nRow 2: Inc*6 times (12)\n{said}\nRow 6: (1 sc, dec) x 4 (8)\n"
+    assert rounds(words) == [6, 12, 12, 12, 12, 8]
+
+
+def test_a_count_of_rounds_that_disagrees_with_their_numbers_is_told() -> None:
+    words = "Newt\nHead\nRow 1: 6 sc in magic ring (6)\nRow 2: Inc*6 times (12)\nRows 3-5: (4 rows) (12)\nRow 6: (1 sc, dec) x 4 (8)\n"
+    found = pattern(words)
+    assert account(found).get("not_understood") or build(found).warnings
+
+
+def test_numbers_of_stitches_alone_behind_a_head_without_a_sign() -> None:
+    words = "Newt\nHead\nR1 6 sc in magic ring (6)\nR2  INC around. (12)\nR3  1, INC, 2, INC, 3, INC, 2, INC (16)\nR4  5, DEC, 9 (15)\n"
+    assert rounds(words) == [6, 12, 16, 15]
+
+
+def test_a_list_that_calls_sc_a_stitch_leaves_it_one() -> None:
+    words = "Newt\nsc = stitch\ninc = increase\n\nHead\n1. 6 in a magic circle [6]\n2. ( inc ) x 6 [12]\n3. ( sc, inc) x 6 [18]\n4-5. sc around [18]\n"
+    assert rounds(words) == [6, 12, 18, 18, 18]
+
+
+@pytest.mark.parametrize(
+    "said", ["Change thread on red:", "Change color on base.", "Change color to main.", "Change the thread to red."]
+)
+def test_yarns_are_changed_in_a_translator_s_words(said: str) -> None:
+    found = pattern(f"Newt\nPaw\nStart white:\n1. 6 sc in MR (6)\n2. 6 inc (12)\n{said}\n3. 12 sc (12)\n")
+    assert not account(found).get("not_understood")
+    assert [part.name for part in found.parts] == ["Paw"]
+    assert sum("color" in names(line) for line in found.parts[0].lines) == 2
+
+
+@pytest.mark.parametrize("said", ["We start knitting with an additional color:", "Hoof color."])
+def test_the_yarn_that_a_piece_begins_with(said: str) -> None:
+    found = pattern(f"Newt\nPaw\n{said}\n1. 6 sc in MR (6)\n2. 6 inc (12)\nChange to red.\n3. 12 sc (12)\n")
+    assert not account(found).get("not_understood")
+    assert [part.name for part in found.parts] == ["Paw"]
+    assert sum("color" in names(line) for line in found.parts[0].lines) == 2
+
+
+def test_a_round_of_one_in_each() -> None:
+    assert rounds("Newt\nPaw\nRnd 1: 6 sc in MR (6)\nRnd 2: 6 inc (12)\nRnd 3-4: 1sc in sc (12 sc)\n") == [
+        6,
+        12,
+        12,
+        12,
+    ]

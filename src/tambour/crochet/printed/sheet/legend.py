@@ -82,7 +82,7 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
         return  # "US readers: dc = sc, tr = dc" says what others call them
     if meant.kind == "stitch" and meant.value is not None and meant.value != name.word:
         vocabulary.define(name.word, meant.value)
-    elif meant.kind == "key" and meant.value in _KEYS and not (known and known[0].kind == "key"):
+    elif meant.kind == "key" and meant.value in _KEYS and not (known and known[0].kind in ("key", "stitch")):
         vocabulary.mean(name.word, meant.value)
 
 

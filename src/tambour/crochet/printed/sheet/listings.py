@@ -4,6 +4,7 @@ their rounds, ``7-9. 3 rows (36)``; put as rounds are."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -11,7 +12,9 @@ from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
 
 _STOPS: Final = frozenset((".", ":", ")"))
-_ROUNDS: Final = frozenset("round rounds rnd rnds row rows rd rds".split())
+_MANY: Final = re.compile(
+    r"(?:(?:rows?|rounds?|rnds?|rds?) |r ?)?(\d+) - r?(\d+) [:.)] (?:[(\[] )?(\d+) (?:rounds|rows|rnds|rds)(?: (?:even|total))?(?: [)\]])?(?= [(\[=-]|$)"
+)
 _YARNS: Final = frozenset("change changing switch switching swap".split())
 _SIGNS: Final = frozenset(("-", "–", "•", "·", "●", "▪"))
 _SHAPES: Final = ("inc", "dec")
@@ -19,7 +22,7 @@ _SHAPES: Final = ("inc", "dec")
 
 def relaid(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with each round of such lists on its own, under its number. called : the word for a round."""
-    rows = _even(text, _grown(_mended(rows), vocabulary), vocabulary)
+    rows = [_counting(row) for row in _even(text, _grown(_mended(rows), vocabulary), vocabulary)]
     return [part for row in rows for part in _shared(row, vocabulary, called)]
 
 
@@ -115,6 +118,20 @@ def _even(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     return made
 
 
+def _counting(row: Row) -> Row:
+    """``row`` with its stitches, where it says no more of several rounds than how many they are: "7-9. 3 rows (36)", "Rows 11-17: (7 rows) (60)"."""
+    words = " ".join([t.word for t in row.tokens])
+    found = _MANY.match(words)
+    if found is None or int(found[2]) - int(found[1]) + 1 != int(found[3]):
+        return row
+    at = len(words[: found.end(1)].split()) + 2  # behind the last number
+    begin = next(k for k in range(at, len(row.tokens)) if row.tokens[k].word not in _STOPS)
+    end = len(words[: found.end()].split())
+    place = row.tokens[begin].start
+    even = [Token("word", w, place, row.tokens[end - 1].end) for w in ("sc", "in", "each", "st", "around")]
+    return replace(row, tokens=[*row.tokens[:begin], *even, *row.tokens[end:]])
+
+
 def _shared(row: Row, vocabulary: Vocabulary, called: str) -> list[Row]:
     """The rounds of an item that a page put together."""
     tokens = row.tokens
@@ -122,13 +139,8 @@ def _shared(row: Row, vocabulary: Vocabulary, called: str) -> list[Row]:
         return [row]
     if not ranged(tokens, 0):
         return _switched(row, called) if vocabulary.code in ("us", "uk") else [row]
-    first, last = int(tokens[0].value), int(tokens[2].value)
+    last = int(tokens[2].value)
     begin = 4
-    many = last - first + 1
-    if tokens[begin].value == many and tokens[begin + 1].word in _ROUNDS and _ends(tokens, begin + 2):
-        at = tokens[begin].start
-        even = [Token("word", w, at, tokens[begin + 1].end) for w in ("sc", "in", "each", "st", "around")]
-        return [replace(row, tokens=[*tokens[:begin], *even, *tokens[begin + 2 :]])]
     end = begin + 2
     if tokens[begin].kind != "number" or not _stitch(tokens[begin + 1], vocabulary):
         return [row]
@@ -156,11 +168,6 @@ def _switched(row: Row, called: str) -> list[Row]:
     head = [Token("word", w, begin, begin, capital=True) for w in ("next", called)]
     below = Row([*head, Token("mark", ":", begin, begin, None, True), *rest], begin, rest[-1].end)
     return [replace(row, tokens=tokens[:at], end=tokens[at - 1].end), below]
-
-
-def _ends(tokens: list[Token], k: int) -> bool:
-    """Whether a line ends there, or with no more than its count."""
-    return k == len(tokens) or (tokens[k].word in ("(", "[", "=", "-") and len(tokens) - k <= 4)
 
 
 def _stitch(token: Token, vocabulary: Vocabulary) -> bool:

@@ -23,9 +23,28 @@ _TO: Final = frozenset(("-", "–", "+", "&", "to", "and"))
 
 def numerals(rows: list[Row], stitch: str, ring: str) -> list[Row]:
     """``rows`` in which lone numbers are so many of ``stitch``; a lone number that a first round has is worked into a ``ring``."""
+    rows = [_parted(row) for row in rows]
     made = [replace(row, tokens=_put(row.tokens, stitch, ring)) if _heads(row.tokens) else row for row in rows]
     made = [replace(row, tokens=_put_noted(row.tokens, stitch)) if noted(row.tokens) else row for row in made]
     return _between(made, stitch)
+
+
+def _parted(row: Row) -> Row:
+    """``row`` with a colon between the number of its round and the first of its stitches: "R4  1, INC, 2, INC (5)"."""
+    tokens = row.tokens
+    at = 1 if tokens and _NUMBERED.fullmatch(tokens[0].word) else 2
+    if len(tokens) < at + 4 or (at == 2 and (tokens[0].word not in _CALLED or tokens[1].kind != "number")):
+        return row
+    first = tokens[at]
+    if (
+        first.kind != "number"
+        or first.glued
+        or tokens[at + 1].word != ","
+        or _SHAPED.isdisjoint([t.word for t in tokens])
+    ):
+        return row
+    colon = Token("mark", ":", tokens[at - 1].end, tokens[at - 1].end, None, True)
+    return replace(row, tokens=[*tokens[:at], colon, *tokens[at:]])
 
 
 def _between(rows: list[Row], stitch: str) -> list[Row]:

@@ -3,11 +3,13 @@ second from the hook loop", "2 sbn, addition - repeat 6 times", "5th row for zpp
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.printed.tokens import Row
-from tambour.crochet.printed.wordings.reworded import reworded
+from tambour.crochet.printed.wordings.reworded import reworded, word
+from tambour.crochet.printed.yarns.shades import shade
 from tambour.crochet.words.sayings import Sayings
 
 _SIGNS: Final = frozenset("sbn stbn stb cтбн cбн zpp psn ka vp".split())
@@ -48,6 +50,11 @@ _ALWAYS: Final = Sayings(
         (r"(\d+ (?:ch|chains?)) , in (?:the )?(second|2nd|third|3rd|fourth|4th) (?:loop|link|ch|chain) from (?:the )?hook (?:crochet|work|make|knit)? ?(\d+ (?:sc|hdc|dc))(?= ?[,.;(]| ?$)", "{1} , from {2} ch from hook {3}"),
         (r"in (?:the )?(?:next )?(?:st|stitch|sc) after(?= ?[,;.*(\[)\]]| and\b| ?$)", "in next st"),
         (r"^(?:(?:now |and |then )?at (?:this|that) (?:stage|point|moment|time|step)|here|from here(?: on)?|after (?:this|that)) (?:, )?(?:we |you |i )?(?:will |should |need to |have to |must |can |now )*(change|switch|swap|attach|join|take)", "{1}"),
+        (r"(change|switch|changing|switching) (?:the )?(?:threads?|yarns?|colou?rs?|ropes?) (?:on|in|into|for|with)(?= (?:the )?[a-z]{3,}(?: ?[.:,]| ?$))", "{1} to"),
+        (r"(change|switch|changing|switching)(?: (?:the )?(?:threads?|yarns?|colou?rs?))? to (?:the )?(?:main|base|basic)(?= ?[.:,]| ?$)", "{1} to mc"),
+        (r"(with|in|to|using) (?:the |an |a )?(?:additional|extra|auxiliary) (?:colou?r|yarn|thread)", "{1} cc"),
+        (r"^([a-z]{3,}) colou?r(?: [.:])?$", "with {1} color"),
+        (r"(?<=: )1 (sc|dc|hdc) in (?:sc|dc|hdc|st)(?= ?[(\[=.]| ?$)", "{1} in each st around"),
         (r"make (\d+) (inc|dec|increases?|decreases?)(?= ?[=(\[]| ?$)", "{2} {1} sts evenly"),
         (r"(\d+ (?:sc|dc)) around each leg (?:&|and|,) (\d+ (?:sc|dc)) (?:on|along|in) each side of (?:the )?(?:ch|chain)s?", "{1} around first leg , {2} in ch , {1} around second leg , {2} on other side of ch"),
         (r"(?:change|switch|changing|switching) (?:the )?(?:colou?rs? |yarns? |threads? )?to (?:the )?(?:colou?r|yarn) of (?:the |your )?([a-z]+)", "change to {1}"),
@@ -59,8 +66,11 @@ _ALWAYS: Final = Sayings(
         (r"(\d+ \w{2,5}) for (?:the )?(back|front) half loops?", "{1} in {2} loops only"),
     )
 )  # fmt: skip
+_BEGUN: Final = re.compile(
+    r"(?:we |i )?(?:start|begin)(?:ing)? (?:to )?(?:(?:knit|knitting|crochet|crocheting) )?(?:(?:in|with) )?(?:the )?([a-z]{2,}(?: [a-z]{3,})?)(?: [.:])?$"
+)
 _SAYING: Final = frozenset(
-    "/ [ change switch swap attach join take after make leg loops loop half color colour thread yarn hook zpp ppp blo flo back front".split()
+    "/ [ start starting we additional extra auxiliary sc dc hdc begin change switch swap attach join take after make leg loops loop half color colour thread yarn hook zpp ppp blo flo back front".split()
 )
 
 
@@ -74,8 +84,19 @@ def rendered(rows: list[Row]) -> list[Row]:
         if not _SAYING.isdisjoint({t.word for t in row.tokens}):
             tokens = reworded(row.tokens, _ALWAYS)
             row = row if tokens is row.tokens else replace(row, tokens=tokens)
+            row = _begun(row)
         made.append(row)
     return made
+
+
+def _begun(row: Row) -> Row:
+    """A line that only says in which yarn a piece begins: "We start knitting in white:", "Start pink:"."""
+    found = _BEGUN.match(" ".join([t.word for t in row.tokens]))
+    if found is None or not (found[1] in ("cc", "mc") or shade(found[1]) is not None):
+        return row
+    end = len(row.tokens) - (row.tokens[-1].word in (":", "."))
+    hue = row.tokens[end - len(found[1].split()) : end]
+    return replace(row, tokens=[word("with", row.tokens[0], row.tokens[0]), *hue])
 
 
 def _meant(row: Row) -> Row:

@@ -44,6 +44,8 @@ _OWNERS: Final = re.compile(
     r"\b(?i:change|switch|changing|switching) (?:the )?(?:(?:thread|yarn|colou?r) )?to the (?:colou?r|yarn) of the ([a-z][^\W\d_]{2,})\b"
 )
 """And so behind it: "Change the thread to the color of the jacket"."""
+_ALONE: Final = re.compile(r"^[ \t]*([A-Z][a-z]{2,}) colou?r[.:]?[ \t]*$", re.MULTILINE)
+"""On a line of its own: "Hoof color."."""
 _NO_NAME: Final = frozenset(
     """round rnd row right left wrong side yarn color colour main contrast cotton wool acrylic chenille worsted stuffing fiberfill felt floss
     thread hook needle eyes spiral rounds rows magic same other both two double one each all your this that these those another next last
@@ -64,7 +66,7 @@ def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
         plain = low in shelf or name[0].isupper() or dyed(name) is not None
         if plain and (low not in parts or low in shelf):
             _learn(name, shelf.get(low, ("", ""))[1], palette, vocabulary)
-    for purpose in dict.fromkeys(m[1] for said in (_PURPOSES, _OWNERS) for m in said.finditer(text)):
+    for purpose in dict.fromkeys(m[1] for said in (_PURPOSES, _OWNERS, _ALONE) for m in said.finditer(text)):
         _learn(purpose, "", palette, vocabulary)
     small = text.lower()
     for low, (name, also) in shelf.items():
