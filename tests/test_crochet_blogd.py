@@ -242,3 +242,11 @@ def test_a_round_of_one_in_each() -> None:
         12,
         12,
     ]
+
+
+@pytest.mark.parametrize("said", ["Start knitting in white.", "With white yarn:", "In white:"])
+def test_the_yarn_of_a_piece_right_below_a_list_of_abbreviations(said: str) -> None:
+    found = pattern(
+        f"Newt\n\nMaterials\nYarn white\nhook 3 mm\n\nKA - amigurumi ring\nsc - single crochet\ninc - increase\n\n{said}\n1: 6 sc in KA\n2: 6 inc (12)\n3: 12 sc\n"
+    )
+    assert [i.name for i in found.parts[0].lines[0].items if isinstance(i, Action)] == ["color"]

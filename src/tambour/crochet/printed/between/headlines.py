@@ -8,6 +8,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.between.opening import founds
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.rounds.doings import by_hand
 from tambour.crochet.printed.sheet.notes import MODES, Heading, heading, plain_name
@@ -124,7 +125,10 @@ def bare(p: State, tokens: list[Token]) -> list[Token]:
 def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
     """The yarn that words name which say nothing else, where a piece is under way or headed: "BLACK", "dark green", "Color A", "in white";
     None where they say more, or may name a piece."""
-    if p.mode in ("materials", "abbreviations") or not (p.parts or p.heading is not None):
+    idle = p.mode in ("materials", "abbreviations") or not (p.parts or p.heading is not None)
+    if idle and not (
+        tokens[0].value in ("with", "in") and founds(p, near=1)
+    ):  # "In white", right above the first round
         return None
     if (shown := _shown(tokens)) is not None:
         return dyed(shown) or p.palette.given.get(shown) or _ours(p, shown)
