@@ -50,6 +50,7 @@ NOTHING: Final = "this holds no crochet instructions"
 _TAIL: Final = re.compile(r"\s*(?:[(\[][^()\[\]]{2,30}[)\]]|[-–—|]\s*\w+ \w+)\s*$")  # "(UK terms)", "- US terms"
 _ON: Final = frozenset("edging border trim ribbing ruffle hem shaping".split())
 """What a piece goes on with at its last round, unless it says another place."""
+_WHICH: Final = frozenset("next last each first same rest other".split())
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
 _LAST: Final = dict.fromkeys(("previous", "prev", "preceding"), "last")  # "of previous rnd"
@@ -434,8 +435,12 @@ def _back_along(tokens: list[Token]) -> bool:
 
 def _into(tokens: list[Token], k: int) -> bool:
     """Whether the chain at ``k`` is what is worked into, or along: "in next 3 ch", "in last ch", "other side of ch"."""
-    before = [t.value for t in tokens[max(0, k - 3) : k]]
-    return "space" not in [t.value for t in tokens[k + 1 : k + 3]] and ("in" in before or "side" in before)
+    at = k - 1
+    while at > 0 and (
+        tokens[at].kind in ("number", "ordinal") or tokens[at].value in _WHICH or tokens[at].word == "of"
+    ):
+        at -= 1
+    return tokens[at].value in ("in", "side") and not any(t.value == "space" for t in tokens[k + 1 : k + 3])
 
 
 def _place_of_work(token: Token) -> bool:

@@ -15,7 +15,7 @@ _NAME: Final = 3  # words of a part's name
 _COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
 
-_LIFTS: Final = 3  # chains that only lift the yarn
+_LIFTS: Final = 4  # chains that only lift the yarn
 _BY_HAND: Final = frozenset(("stuff", "fasten off", "close", "eyes", "marker"))
 """What hands do between rounds, on a line of its own."""
 _LISTS: Final = ("*", "-", "–", "•", "·", "●", "▪", "+")
