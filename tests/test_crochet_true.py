@@ -120,3 +120,24 @@ def test_yarn_that_is_not_cut_goes_on_in_the_next_part(ends: str, yarn: tuple[in
     pattern = toy(f"BODY\nWith A\n{BALL}Fasten off.\n\n{band}Sew short edges together. {ends}\n\n{crown}")
     assert [part.name for part in pattern.parts] == ["BODY", "BAND", "CROWN"]
     assert hues(pattern, 2) == [yarn]
+
+
+@pytest.mark.parametrize("name", ["FLAP", "Under Flap", "Flap (make 2)"])
+def test_the_base_below_a_heading_is_what_that_part_begins_with(name: str) -> None:
+    text = f"{name}\nBase: CH 3\nRow 1: sc in 2nd ch from hook, sc in next ch (2)\nRow 2: ch 1, turn, 2 sc in each st (4)\n"
+    pattern = toy(f"HEAD\nWith A\n{BALL}Fasten off.\n\n{text}")
+    assert [part.name for part in pattern.parts] == ["HEAD", name.split(" (")[0]]
+    assert pattern.parts[1].copies == (2 if "make" in name else 1)
+
+
+def test_a_part_that_is_a_base_has_a_heading_of_its_own() -> None:
+    text = f"CUP\nBase\nWith B\n{BALL}Fasten off.\n\nLid\nWith A, work same as Base through Round 3.\nRnd 4: sc in each st around (12)\n"
+    assert [part.name for part in toy(text).parts] == ["Base", "Lid"]
+
+
+def test_a_slip_stitch_that_the_list_explains_joins_a_round_still() -> None:
+    rounds = "HEAD\nRnd 1: 6 SC in magic ring, SL to 1st SC made, CH 1, turn. (6)\nRnd 2: 2 SC in each st around, SL to 1st SC made, CH 1, turn. (12)\n"
+    pattern = read(Text(f"Bo\n\nCH = Chain\nSL = Slip Stitch\nSC = Single Crochet\n\n{rounds}", "bo.txt"))
+    assert not pattern.own and not pattern.unread
+    assert [line.stated for line in pattern.parts[0].lines] == [6, 12]
+    assert all("join" in [getattr(i, "name", "") for i in line.items] for line in pattern.parts[0].lines)

@@ -43,7 +43,7 @@ from tambour.crochet.printed.sheet.notes import (
 )
 from tambour.crochet.printed.sheet.wrapping import step
 from tambour.crochet.printed.state import State
-from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.yarns.colors import numbered
 from tambour.crochet.printed.yarns.yarnlists import headed as headed_by
 from tambour.crochet.printed.yarns.yarnlists import worn
@@ -87,6 +87,10 @@ _PLANNED: Final = frozenset(
     "stripe stripes striped striping color colour stitch loop chevron main basic written free crochet".split()
 )
 """Before "pattern": what is no part."""
+_FOUNDED: Final = re.compile(
+    r"(?:base|foundation|start|set[ -]up|(?:base|foundation|starting) chain)[ \t]*:[ \t]*(?:ch|chain)\b", re.IGNORECASE
+)
+"""What a chain is called, in its own line, that a part begins with: below the part's own name it is no other part."""
 _JOININGS: Final = frozenset(("joining", "join", "assembling"))
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
@@ -229,8 +233,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             called = called[:-1]
             found = replace(found, name=" ".join(found.name.split()[:-1]), strong=True)  # "DIRT PATTERN"
         plan = called[-1] in _PLANS or (p.heading is not None and called[0] in _JOININGS)
+        plan = plan or (p.heading is not None and _FOUNDED.match(text, found.span.start) is not None)
         if plan and found.copies_span is None and p.title is not None:
-            p.passed.append(whole)  # "Stripe Pattern" and "Joining legs:" under BODY are no parts
+            p.passed.append(whole)  # "Stripe Pattern", "Joining legs:" and "Base: Ch 3" under BODY are no parts
             return
         # Without a blank line too, where its rounds follow: "8 mm eyes", "HEAD", "Use mint yarn", "R1: …".
         parted = apart or (bool(called and kind_of(one(called[-1]))) and founds(p, near=2))
@@ -341,6 +346,9 @@ def _said(p: State, span: Span) -> bool:
     text = p.source.text.text[span.start : span.end]
     own = explained(text, p.source.stitches, p.phrases.terms) if not p.parts else []
     for new in own:
+        known = p.vocabulary.read(rows(new.name)[0].tokens)[0]
+        if known.kind == "stitch" and p.source.stitches[known.value].moves == new.moves:
+            continue  # "SL = Slip Stitch": it joins rounds still
         p.source.stitches[new.name], p.source.own[new.name] = new, span
         p.vocabulary.define(new.name, new.name)
     if own:
