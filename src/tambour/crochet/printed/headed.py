@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Span, did_you_mean
-from tambour.crochet.language.stitches import MOST
-from tambour.crochet.language.tree import Action, Group, Line
+from tambour.crochet.language.stitches import MOST, Stitch
+from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.between.beyond import again_made, another, edged_again, edging, not_drawn
 from tambour.crochet.printed.between.conventions import convention
 from tambour.crochet.printed.between.put import ended, eyed, finishing, sews, stuffed
@@ -99,6 +99,20 @@ def _sought(tokens: list[Token]) -> list[Token]:
 def _begins(tokens: list[Token], k: int) -> bool:
     """Whether a clause begins at ``k``."""
     return k == 0 or tokens[k - 1].word in (",", ".", ";", ":")
+
+
+def _amid(items: list[Item], stitches: dict[str, Stitch]) -> Action | None:
+    """The ring that words of a round seem to make behind stitches worked into the one below: "7 sc, 1 sc in the same stitch as the last sc on
+    the circle, (6 sc, inc) x 3"; None for none."""
+    begun = False
+    for item in items:
+        ring = isinstance(item, Action) and (
+            item.name == "mr" or (item.name in stitches and stitches[item.name].where == "ring")
+        )
+        if begun and ring and isinstance(item, Action):
+            return item
+        begun = begun or (works_some(item) > 0 and not ring)
+    return None
 
 
 class Headed(State):
@@ -201,6 +215,10 @@ class Headed(State):
                 span,
                 NotUnderstood(ring, "the ring has no stitches", "say how many: 6 sc in magic ring"),
             )
+            return
+        if both is None and draft.last and (amid := _amid(read.items, self.source.stitches)) is not None:
+            at = Token("mark", "", amid.span.start, amid.span.end)
+            self._gap(draft, head, tokens, span, NotUnderstood(at, "a ring in the midst of a round is not understood"))
             return
         nothing = not (read.items or read.refers or read.edged or read.plain or read.more or read.moved)
         if nothing and head.numbers and any(t.kind == "stitch" and t.value not in ("slst", "ch") for t in tokens):

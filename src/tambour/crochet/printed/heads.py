@@ -18,6 +18,10 @@ _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
 _SIDES = frozenset(("rs", "ws", "right", "wrong", "side"))
 _OTHER = frozenset(("alt", "alternate", "alternating", "every", "other"))
 _NAMED = frozenset(("joining", "foundation", "setup", "edging", "dividing", "final", "decrease", "increase", "first"))
+_TELLS = frozenset(
+    ("will", "be", "is", "are", "should", "begins", "starts", "forms", "makes", "shapes", "gets", "becomes")
+)
+"""What goes on behind "next round" where a sentence tells of it, and works nothing."""
 _LABEL = 6  # words that name a round
 _BODY = frozenset(
     (
@@ -223,6 +227,8 @@ def _unnumbered(c: Cursor) -> tuple[int, int] | None:
     if not c.key("round", "row", ahead=ahead):
         return None
     after = c.look(ahead + 1)
+    if after is not None and after.word in _TELLS:
+        return None  # "The next row will be the first of the sides."
     if after is None or not (after.word in (":", "-", ".") or after.word in OPEN):
         return None if not c.key("next") or ahead > 1 else (1, 1)
     return (c.whole(1) or 1 if ahead == 2 else 1), ahead

@@ -315,6 +315,8 @@ class Printed(Headed):
         if self.ringed is not None and wants and not any(t.value in ("ring", "hook", "loop") for t in tokens):
             if len(tokens) > 2 and tokens[1].kind == "stitch" and tokens[2].value == "around":
                 tokens = [*tokens[:2], *tokens[3:]]  # "6 sc in the round"
+            if len(tokens) > 2 and tokens[0].kind == "stitch" and tokens[1].word == "x" and tokens[2].kind == "number":
+                tokens = [tokens[2], tokens[0], *tokens[3:]]  # "sc x 6"
             tokens = [
                 self.ringed,
                 Token("mark", ",", head.span.end, head.span.end),

@@ -31,6 +31,7 @@ from tambour.crochet.printed.sheet.notes import Heading
 from tambour.crochet.printed.sheet.numerals import numerals
 from tambour.crochet.printed.sheet.pages import pages
 from tambour.crochet.printed.sheet.pasted import pasted
+from tambour.crochet.printed.sheet.points import unlisted
 from tambour.crochet.printed.sheet.recognise import recognised
 from tambour.crochet.printed.sheet.runs import listed, parted
 from tambour.crochet.printed.sheet.spirals import spirals
@@ -52,7 +53,7 @@ from tambour.crochet.printed.wordings.newyarn import respun
 from tambour.crochet.printed.wordings.rendered import rendered
 from tambour.crochet.printed.wordings.risings import counting
 from tambour.crochet.printed.wordings.shells import shelled
-from tambour.crochet.printed.wordings.shorthand import numbered, signs, unlisted
+from tambour.crochet.printed.wordings.shorthand import numbered, signs
 from tambour.crochet.printed.wordings.vocabulary import stand_beside, vocabulary
 from tambour.crochet.printed.wordings.wools import learned
 from tambour.crochet.printed.yarns.colors import Palette

@@ -61,7 +61,7 @@ _LISTED: Final = re.compile(r"(?:^|;|[-–—:])[ \t]*[^\W\d][\w.]{0,9},[ \t]+[^
 """The same between semicolons, as old booklets have it: "Ch., chain; d.c., double crochet; tr., treble"."""
 
 _SUPPLY: Final = re.compile(
-    r"\W*(?:(?:safety|plastic) (?:eyes?|noses?)|embroidery (?:thread|floss)|(?:tapestry|yarn|darning) needle|stitch markers?|thread (?:to|for) )",
+    r"\W*(?:(?:safety|plastic) (?:eyes?|noses?)|embroidery (?:thread|floss)|(?:tapestry|yarn|darning) needle|needles? (?:for|to) |stitch markers?|thread (?:to|for) )",
     re.IGNORECASE,
 )
 """What begins a thing of a list, whether the list has a heading or none."""
@@ -293,7 +293,11 @@ def _rounds_below(p: State) -> bool:
 
 
 def _defines(tokens: list[Token]) -> bool:
-    """Whether a line only says a word of the trade in full: "ch - chain", "Sc: (Single Crochet)", "BLO - back loops only"."""
+    """Whether a line only says a word of the trade in full: "ch - chain", "Sc: (Single Crochet)", "BLO - back loops only", "Slip stitch (sl st)"."""
+    if len(tokens) > 3 and tokens[-3].word == "(" and tokens[-1].word == ")":
+        short, said = tokens[-2], [t for t in tokens[:-3] if t.word != "or"]
+        alike = all((t.kind, t.value) == (short.kind, short.value) and t.word != short.word for t in said)
+        return alike and short.kind in ("stitch", "key")
     plain = [t for t in tokens if t.word not in ("(", ")", ",", ".")]
     if len(plain) < 3 or plain[1].word not in ("-", ":", "=") or any(t.kind == "number" for t in plain[:3]):
         return False

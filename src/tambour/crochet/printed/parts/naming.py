@@ -159,7 +159,7 @@ def heading_above(text: str, low: int, high: int) -> Heading | None:
     low = max(low, text.find("\n", title) % (len(text) + 1))
     for found in reversed(list(_TITLE.finditer(text[low:high]))):
         words = [one(w) for w in re.findall(r"[^\W\d_]+", found["name"].lower())]
-        if not words or set(words) & _NO_PART or not any(len(w) > 2 for w in words):
+        if not words or words[0] == "by" or set(words) & _NO_PART or not any(len(w) > 2 for w in words):
             continue
         kinds = [kind_of(w) for w in words]
         starts = not text[text.rfind("\n", 0, low + found.start("name")) + 1 : low + found.start("name")].strip(

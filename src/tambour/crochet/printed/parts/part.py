@@ -226,10 +226,11 @@ class Draft:
         number = bare_count(tokens)
         if number is None or last is None:
             return False
-        if not last.in_round or (last.again is None and last.number is None):
-            return all(
+        apart = tokens[0].word in ("(", "[") and tokens[-1].word in (")", "]")
+        if not last.in_round or (last.again is None and last.number is None and not apart):
+            return apart or all(
                 t.kind != "stitch" for t in tokens
-            )  # where rounds bear no numbers, "36 sc" may be one; "36 sts" is none
+            )  # where rounds bear no numbers, "36 sc" may be one; "36 sts" and "(36 sc)" are none
         if last.stated is None:
             self.lines[-1] = replace(last, stated=number.value, stated_span=number.span)
             self.other = number.value if self.edge is not None and self.edge != number.value else None

@@ -15,7 +15,15 @@ from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.rounds.asides import penned
 from tambour.crochet.printed.rounds.body import Walk
-from tambour.crochet.printed.rounds.otherwise import all_around, all_times, later, makes_all, run_on, singly
+from tambour.crochet.printed.rounds.otherwise import (
+    all_around,
+    all_times,
+    later,
+    makes_all,
+    run_on,
+    singly,
+    times_first,
+)
 from tambour.crochet.printed.rounds.ovals import both_sides
 from tambour.crochet.printed.rounds.reader import Body
 from tambour.crochet.printed.rounds.reckoned import after, after_all, chainless, fixed, reached, rest_left, worked
@@ -171,10 +179,11 @@ def decided(
         and edge
         and chain is None
         and fit(body) < 2
-        and (whole := all_times(body.items)) is not None
+        and (whole := all_times(body.items) or times_first(body.items)) is not None
     ):
         made = worked(whole, edge, source.stitches)
-        if made is not None and made[1] == edge and body.stated in (None, made[0]):
+        ends = all_times(body.items) is not None  # what others follow is read so by its count alone
+        if made is not None and made[1] == edge and body.stated in ((None, made[0]) if ends else (made[0],)):
             body.items = whole
             judge = "round below" if body.stated is None else "count"
             said = f"how often is read of all that is said: the {judge} speaks for it"

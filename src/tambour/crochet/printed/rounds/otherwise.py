@@ -54,6 +54,16 @@ def all_times(items: list[Item]) -> list[Item] | None:
     return [*lead, Group((*rest[:-1], one), many, last.span)]
 
 
+def times_first(items: list[Item]) -> list[Item] | None:
+    """The same where stitches follow, "3 sc, 1 dec x 7, 1 sc" as "(3 sc, 1 dec) x 7, 1 sc"; None where none do."""
+    lead, rest = led(items)
+    at = next((k for k, i in enumerate(rest) if isinstance(i, Group)), 0)
+    if not 0 < at < len(rest) - 1:
+        return None
+    first = all_times([*lead, *rest[: at + 1]])
+    return [*first, *rest[at + 1 :]] if first is not None else None
+
+
 _INTO_ONE: Final = re.compile(r"inc([3-9]?)")
 
 

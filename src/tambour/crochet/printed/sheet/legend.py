@@ -13,7 +13,7 @@ _LOOKED_AT: Final = 150  # lines
 _SIGNS: Final = ("=", "-", ":")
 _PARTS: Final = (",", ";", "|", "•", "·")
 _SHORT: Final = 5  # letters of a word that stands for another
-_KEYS: Final = frozenset(("ring", "stitch", "round", "back loops", "front loops"))
+_KEYS: Final = frozenset(("ring", "stitch", "round", "hook", "back loops", "front loops"))
 _SHAPED: Final = re.compile(
     r"(?:work )?(?P<into>[23]) (?:(?:sc|x) )?(?:in|into) (?:1|one|same|the same|1 st|one st|the same st|same st)|(?P<of>[23]) (?:(?:sc|x) )?(?:tog|together)"
 )

@@ -42,6 +42,10 @@ BELOW: Final = {key: STATED[key] for key in ("gauge", "finished size", "hook")}
 """A heading's concept → what the line below it states."""
 
 _WORDS: Final = 6  # of a heading
+_LEVELS: Final = frozenset(
+    "very easy medium hard beginner intermediate advanced experienced skill level difficulty / - to and + .".split()
+)
+"""Words of a line that says how hard a pattern is: "EASY/MEDIUM"."""
 
 
 @dataclass(frozen=True)
@@ -115,6 +119,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
         c.at += 1
     if not name or len([t for t in name if t.kind != "mark"]) > _WORDS or name[-1].word == ".":
         return None
+    if name[0].word == "by" or all(t.word in _LEVELS for t in name):
+        return None  # who made it, and how hard it is
     found = _copies(c)
     if found is not None:
         copies, at = found

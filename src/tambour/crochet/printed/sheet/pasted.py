@@ -24,6 +24,9 @@ _LIKE: Final = str.maketrans(
 _FOREIGN: Final = re.compile("[" + "".join(map(chr, _LIKE)) + "]")
 _MIXED: Final = re.compile(r"[^\W\d_]+")
 _LATIN: Final = re.compile(r"[A-Za-z]")
+_RAISED: Final = re.compile(r"(?<=\d)\^\{(st|nd|rd|th)\}|(?<=\d)(?:ˢᵗ|ⁿᵈ|ʳᵈ|ᵗʰ)")
+_LOWERED: Final = {"ˢᵗ": "st", "ⁿᵈ": "nd", "ʳᵈ": "rd", "ᵗʰ": "th"}
+"""Letters of "1st" that a page sets above its line."""
 _NO_WORD: Final = re.compile(r"Â(?![^\W_])")
 """What a page that is read in another encoding has before a blank that does not break."""
 _MARKED: Final = re.compile(r"Â (?=[\d(])|(?<=[:;.]) ?Â(?=[\W\d])|(?<=[^\W\d_])Â(?=\s*[(:])")
@@ -71,6 +74,8 @@ def ours(text: str) -> str:
     >>> ours("3 rоw: (1 sс, inс) х 6")
     '3 row: (1 sc, inc) x 6'
     """
+    if "^{" in text or "ᵗ" in text or "ᵈ" in text:
+        text = _RAISED.sub(lambda m: (m[1] or _LOWERED[m[0]]).ljust(len(m[0])), text)
     if text.isascii():
         return text
     if "Â" in text:

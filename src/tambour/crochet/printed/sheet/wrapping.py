@@ -78,7 +78,7 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
         above = rows[at - 1] if at else row
         counted = _COUNTING.match(text, row.start, row.end) if row.tokens else None
         if counted is not None and int(counted[1]) in (1, reached + 1):
-            follows = int(counted[1]) == reached + 1
+            follows = int(counted[1]) == reached + 1 or _anew(text, rows, at, int(counted[2] or counted[1]))
             reached = int(counted[2] or counted[1])
             if follows and (not above.tokens or above.tokens[-1].word not in ("ch", "chain")):
                 made.append(row)
@@ -117,6 +117,13 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
         made[-1] = Row([*last.tokens, *more], last.start, row.end, last.marked)
     return made
+
+
+def _anew(text: str, rows: list[Row], at: int, last: int) -> bool:
+    """Whether the line below one that is numbered ``last`` is the next of its list."""
+    below = next((row for row in rows[at + 1 : at + 3] if row.tokens), None)
+    found = _COUNTING.match(text, below.start, below.end) if below is not None else None
+    return found is not None and int(found[1]) == last + 1
 
 
 def torn(text: str, rows: list[Row]) -> list[Row]:

@@ -10,6 +10,7 @@ from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.gaps import spaced
 from tambour.crochet.printed.wordings.reworded import reworded
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
+from tambour.crochet.printed.wordings.weblogs import SAID
 from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
 from tambour.crochet.words.sayings import Sayings
 
@@ -25,6 +26,7 @@ _TURNED: Final = "(?:sc|single crochet)"
 _IDIOMS: Final = tuple(
     (rf"(?<!\S){said}(?!\S)", meant)
     for said, meant in (
+        *SAID,
         (r"(?:held|used|taken|worked|working) (?:double|doubled)(?! crochet| treble|-)", "held together"),
         (r"(?:a |one |1 )?single strands? of", "yarn"),
         (r"(?:until|till) (?:the )?(?:very )?end of (?:the |this )?(?:round|rnd|row)(?= ?[.,;:(<\[]| ?$)", "around"),

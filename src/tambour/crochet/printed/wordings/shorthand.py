@@ -308,27 +308,6 @@ def _each(number: Token) -> list[Token]:
     return [key("in"), key("each"), key("next"), number, key("stitch")]
 
 
-def unlisted(rows: list[Row]) -> list[Row]:
-    """Rounds that stand as points of a list, "2. Row 1: …", without the numbers of the list."""
-    made = []
-    for row in rows:
-        listed = (
-            len(row.tokens) > _POINT
-            and row.tokens[0].kind == "number"
-            and row.tokens[1].word in (".", ")")
-            and row.tokens[2].word in _ROUNDS
-            and row.tokens[3].kind == "number"
-            and not row.tokens[3].glued
-            and not any(t.word in ("again", "repeat", "same") for t in row.tokens[4:9])
-        )
-        made.append(Row(row.tokens[2:], row.tokens[2].start, row.end, row.marked) if listed else row)
-    return made
-
-
-_POINT: Final = 4  # words and signs of a point of a list that is a round, at least
-_ROUNDS: Final = frozenset("round rounds rnd rnds row rows".split())
-
-
 def numbered(rows: list[Row]) -> list[Row]:
     """Lines that only a number and a dash begin, "7 - 22 (16 rnds) - 36 sc", as others do with a colon; where they follow each other."""
     made = list(rows)

@@ -309,6 +309,15 @@ class Vocabulary:
             return [token]
         head = word.rstrip("0123456789")
         phrase = self._longest([Token("word", head, token.start, token.end)], 0) if head else None
+        if phrase is None and len(head) > 1 and head[-1] == "x":
+            often = self._longest([Token("word", head[:-1], token.start, token.end)], 0)
+            if often is not None and often[1] == "stitch":  # "incx6"
+                cross, middle = token.start + len(head) - 1, token.start + len(head)
+                return [
+                    Token("stitch", head[:-1], token.start, cross, often[2], token.glued, token.capital),
+                    Token("mark", "x", cross, middle, None, True),
+                    Token("number", word[len(head) :], middle, token.end, int(word[len(head) :]), True),
+                ]
         if head == "x" or phrase is not None or head == "r":
             middle = token.start + len(head)
             kind, value = ("mark", None) if head == "x" else (phrase[1], phrase[2]) if phrase else ("key", "round")
