@@ -250,3 +250,47 @@ def test_the_yarn_of_a_piece_right_below_a_list_of_abbreviations(said: str) -> N
         f"Newt\n\nMaterials\nYarn white\nhook 3 mm\n\nKA - amigurumi ring\nsc - single crochet\ninc - increase\n\n{said}\n1: 6 sc in KA\n2: 6 inc (12)\n3: 12 sc\n"
     )
     assert [i.name for i in found.parts[0].lines[0].items if isinstance(i, Action)] == ["color"]
+
+
+@pytest.mark.parametrize(
+    "said", ["inc1 x6 (12)", "inc 1 x 6 (12)", "6 inc from sc (12)", "6 inc (12) Note: pm on first sc;"]
+)
+def test_six_increases_in_more_words(said: str) -> None:
+    assert rounds(f"Newt\nHead\nR1: 6 sc in MR (6)\nR2: {said}\nR3: 12 sc (12)\n") == [6, 12, 12]
+
+
+def test_a_row_that_lost_its_number_between_two_others() -> None:
+    words = "Newt\nHead\n1st row: 6 sc in MR\nrow: 6 inc (12)\n3 row: 12 sc (12)\n"
+    found = pattern(words)
+    assert rounds(words) == [6, 12, 12]
+    assert [line.number for line in found.parts[0].lines if line.in_round] == [1, 2, 3]
+
+
+def test_a_row_that_lost_its_number_anywhere_else_gets_none() -> None:
+    words = "Newt\nHead\n1st row: 6 sc in MR (6)\nrow: 6 inc (12)\n5 row: 12 sc (12)\n"
+    found = pattern(words)
+    assert account(found).get("not_understood") or build(found).warnings
+
+
+def test_a_row_that_is_named_behind_its_number() -> None:
+    words = "Newt\nBodice\nChain 11.\nRow 1: Sc across. (10 sc) Ch 1. Turn.\nRow 2 is the sleeve row. This is nice to know.\nRow 2: Sleeve Row: 2 sc, skip 2 sts, ch 2, sc in next 6 sts. Ch 1. Turn.\n"
+    found = pattern(words)
+    assert account(found)["rounds_taken"] == 0
+    assert [line.number for line in found.parts[0].lines if line.in_round] == [1, 2]
+
+
+def test_a_round_that_ends_with_how_many_it_is_goes_on_in_no_sentence_below() -> None:
+    words = (
+        "Newt\nHEAD\nUse pink yarn.\nRnd 1: start 6 sc in magic ring [6]\nRnd 2: (inc) x6 [12]\nRnd 3: (inc, sc) x6 [18]\nRnd 4-8: sc around [18], 5 rounds\n"
+        "Attach the safety eyes 8.00 mm between\nrounds 5 and 6 with 7 stitches between\n(fig 1, 2).\nRnd 9: (dec, sc) x6 [12]\n"
+    )
+    found = pattern(words)
+    assert account(found)["rounds_taken"] == 0
+    assert [w.made for w in build(found).worked if w.line.in_round] == [6, 12, *[18] * 6, 12]
+
+
+def test_a_yarn_alone_right_above_the_first_round() -> None:
+    found = pattern(
+        "Newt\n\nMaterials used:\n8 ply yarn (pink, orange)\n2 mm hook\n\nOrange yarn\nR1: 6 sc in magic ring (6)\nR2: 6 inc (12)\n"
+    )
+    assert [i.name for i in found.parts[0].lines[0].items if isinstance(i, Action)] == ["color"]

@@ -126,9 +126,9 @@ def dyed_only(p: State, tokens: list[Token]) -> RGB | None:
     """The yarn that words name which say nothing else, where a piece is under way or headed: "BLACK", "dark green", "Color A", "in white";
     None where they say more, or may name a piece."""
     idle = p.mode in ("materials", "abbreviations") or not (p.parts or p.heading is not None)
-    if idle and not (
-        tokens[0].value in ("with", "in") and founds(p, near=1)
-    ):  # "In white", right above the first round
+    apart = p.row_at > 0 and not p.rows[p.row_at - 1].tokens
+    begins = tokens[0].value in ("with", "in") or (apart and len(tokens) <= _SHADE and tokens[-1].value == "yarn")
+    if idle and not (begins and founds(p, near=1)):  # "In white", "Yellow yarn", right above the first round
         return None
     if (shown := _shown(tokens)) is not None:
         return dyed(shown) or p.palette.given.get(shown) or _ours(p, shown)

@@ -15,6 +15,7 @@ _STOPS: Final = frozenset((".", ":", ")"))
 _MANY: Final = re.compile(
     r"(?:(?:rows?|rounds?|rnds?|rds?) |r ?)?(\d+) - r?(\d+) [:.)] (?:[(\[] )?(\d+) (?:rounds|rows|rnds|rds)(?: (?:even|total))?(?: [)\]])?(?= [(\[=-]|$)"
 )
+_ROUND: Final = frozenset(("row", "round", "rnd"))
 _YARNS: Final = frozenset("change changing switch switching swap".split())
 _SIGNS: Final = frozenset(("-", "–", "•", "·", "●", "▪"))
 _SHAPES: Final = ("inc", "dec")
@@ -22,7 +23,7 @@ _SHAPES: Final = ("inc", "dec")
 
 def relaid(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -> list[Row]:
     """``rows`` with each round of such lists on its own, under its number. called : the word for a round."""
-    rows = [_counting(row) for row in _even(text, _grown(_mended(rows), vocabulary), vocabulary)]
+    rows = [_counting(row) for row in _even(text, _grown(_lacking(_mended(rows), called), vocabulary), vocabulary)]
     return [part for row in rows for part in _shared(row, vocabulary, called)]
 
 
@@ -67,6 +68,24 @@ def _mended(rows: list[Row]) -> list[Row]:
         else:
             made.append(row)
     return made
+
+
+def _lacking(rows: list[Row], called: str) -> list[Row]:
+    """``rows`` with the number of a round that lost it between those before and after it: "1st row: …", "row: 6 inc (12)", "3 row: …"."""
+    made = list(rows)
+    told = [(k, row.tokens) for k, row in enumerate(rows) if row.tokens]
+    for (_, above), (k, tokens), (_, below) in zip(told, told[1:], told[2:], strict=False):
+        if len(tokens) < 3 or tokens[0].word not in _ROUND or tokens[1].word != ":":
+            continue
+        first, last = _leads(above), _leads(below)
+        if first and last == first + 2:
+            made[k] = headed(replace(rows[k], tokens=tokens[2:]), first + 1, called)
+    return made
+
+
+def _leads(tokens: list[Token]) -> int:
+    """The number of the round that a line begins with; 0 where it begins with none."""
+    return next((int(t.value) for t in tokens[:2] if t.kind in ("number", "ordinal") and isinstance(t.value, int)), 0)
 
 
 def _grown(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:

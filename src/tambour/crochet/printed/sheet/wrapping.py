@@ -21,7 +21,9 @@ _FULL: Final = 0.72  # of the column's width, from where a line may have been br
 _ROOM: Final = 0.9  # of the width: letters differ in theirs
 _ENDED: Final = re.compile(r"[.!?:)\]}”\"*][ \t]*$")
 _OWN: Final = 3  # lines that begin in small letters behind what a mark ended, before that is a writer's habit
-_COUNTED: Final = re.compile(r"\d[ \t]+(?:sts?|stitches|sc|dc|m|maschen|mailles|puntos|steken)[ \t]*$", re.IGNORECASE)
+_COUNTED: Final = re.compile(
+    r"\d[ \t]+(?:sts?|stitches|sc|dc|rounds|rnds|rows|m|maschen|mailles|puntos|steken)[ \t]*$", re.IGNORECASE
+)
 """A line that ends with its round's count: "… rep from * to end. 18 sts"."""
 _COUNT: Final = re.compile(r"= ?\d+(?: sc| sts?)?[ \t]*$")
 _LESS: Final = 0.8  # where a small letter goes on with what no mark ended

@@ -55,6 +55,13 @@ _ALWAYS: Final = Sayings(
         (r"(with|in|to|using) (?:the |an |a )?(?:additional|extra|auxiliary) (?:colou?r|yarn|thread)", "{1} cc"),
         (r"^([a-z]{3,}) colou?r(?: [.:])?$", "with {1} color"),
         (r"(?<=: )1 (sc|dc|hdc) in (?:sc|dc|hdc|st)(?= ?[(\[=.]| ?$)", "{1} in each st around"),
+        (r"inc ?1 (?:x|\*) ?(\d+)(?= ?[(\[=.,;]| ?$)", "{1} inc"),
+        (r"dec ?1 (?:x|\*) ?(\d+)(?= ?[(\[=.,;]| ?$)", "{1} dec"),
+        (r"(\d+ (?:inc|dec)) from (?:sc|dc|hdc)", "{1}"),
+        (r"note : (?:pm|place (?:a |the )?(?:stitch )?marker) (?:on|in) (?:the )?(?:1st|first) (?:sc|st|stitch)", ""),
+        (r"^((?:row|round|rnd) \d+ :) (?:[a-z]+ ){1,2}(?:row|round|rnd) :", "{1}"),
+        (r"^(row|round|rnd) \d+ is (the|an?|optional|your|where)", "this {1} is {2}"),
+        (r"^(?:necessary|required|needed|used) materials(?: (?:and|&) (?:tools|equipment|supplies))?(?: [:;])?$", "materials :"),
         (r"make (\d+) (inc|dec|increases?|decreases?)(?= ?[=(\[]| ?$)", "{2} {1} sts evenly"),
         (r"(\d+ (?:sc|dc)) around each leg (?:&|and|,) (\d+ (?:sc|dc)) (?:on|along|in) each side of (?:the )?(?:ch|chain)s?", "{1} around first leg , {2} in ch , {1} around second leg , {2} on other side of ch"),
         (r"(?:change|switch|changing|switching) (?:the )?(?:colou?rs? |yarns? |threads? )?to (?:the )?(?:colou?r|yarn) of (?:the |your )?([a-z]+)", "change to {1}"),
@@ -67,10 +74,10 @@ _ALWAYS: Final = Sayings(
     )
 )  # fmt: skip
 _BEGUN: Final = re.compile(
-    r"(?:we |i )?(?:start|begin)(?:ing)? (?:to )?(?:(?:knit|knitting|crochet|crocheting) )?(?:(?:in|with) )?(?:the )?([a-z]{2,}(?: [a-z]{3,})?)(?: [.:])?$"
+    r"(?:we |i )?(?:start|begin)(?:ing)? (?:to )?(?:(?:knit|knitting|crochet|crocheting) )?(?:(?:in|with) )?(?:the |an? )?([a-z]{2,}(?: (?!colou?r|yarn)[a-z]{3,})?)( colou?r| yarn)?(?: [.:])?$"
 )
 _SAYING: Final = frozenset(
-    "/ [ start starting we additional extra auxiliary sc dc hdc begin change switch swap attach join take after make leg loops loop half color colour thread yarn hook zpp ppp blo flo back front".split()
+    "x * inc1 dec1 from note row round rnd materials / [ start starting we additional extra auxiliary sc dc hdc begin change switch swap attach join take after make leg loops loop half color colour thread yarn hook zpp ppp blo flo back front".split()
 )
 
 
@@ -94,7 +101,7 @@ def _begun(row: Row) -> Row:
     found = _BEGUN.match(" ".join([t.word for t in row.tokens]))
     if found is None or not (found[1] in ("cc", "mc") or shade(found[1]) is not None):
         return row
-    end = len(row.tokens) - (row.tokens[-1].word in (":", "."))
+    end = len(row.tokens) - (row.tokens[-1].word in (":", ".")) - (found[2] is not None)
     hue = row.tokens[end - len(found[1].split()) : end]
     return replace(row, tokens=[word("with", row.tokens[0], row.tokens[0]), *hue])
 
