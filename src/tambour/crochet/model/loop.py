@@ -34,6 +34,9 @@ BENT, IDLE = 5, 3
 that ends."""
 FLAT = 0.78
 """A limb whose lines enclose a smaller share than this of what circles would is tried without stuffing too, as ears are worked."""
+BROAD = 26.0
+"""One whose end is so long around, in stitches, is not drawn flat before it is corrected: its end is sewn down in a round, which it would draw to a
+slit and dent what is below (an elephant's ears dented its head, a toy at .34 stitch came to .41)."""
 BATCHES, SPARE, AGAIN, HARDLY = 4, 6, 3, 4
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; of a part that has no more threads than so many, all are pulled at once."""
@@ -139,25 +142,27 @@ def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tr
 
 def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Task, Tried, list[float]]:
     """The best rounds that corrections lead to, the task with the bends of these, and the mean distances on the way: of counts first,
-    then of bends, then of threads as well; of a flat limb that, and threads first, stuffed and without stuffing."""
+    then of bends, then of threads as well; of a flat limb that, and threads first, stuffed and without stuffing; of a
+    BROAD one that, stuffed and without stuffing."""
     done, best, history = _worked(task, tried(task, task.way.girths) if first is None else first, tries)
     if task.way.closed or not _stuffed(task) or roundness(task.way) > FLAT:
         return done, best, history
-    for stuffing in (task.stuffing, "none"):
+    ways = [("none", _worked)] if task.way.girths[-1] >= BROAD else [(task.stuffing, _flat), ("none", _flat)]
+    for stuffing, how in ways:
         pressed = replace(task, stuffing=stuffing, lines=None)  # what is flat bends by hand
-        flat, more = _flat(pressed, tried(pressed, task.way.girths), tries)
+        pressed, flat, more = how(pressed, tried(pressed, task.way.girths), tries)
         history += more
         if flat.price < best.price - GAIN:
             done, best = pressed, flat
     return done, best, history
 
 
-def _flat(task: Task, first: Tried, tries: int) -> tuple[Tried, list[float]]:
+def _flat(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
     """The best rounds of a flat part, pulled in by threads before any is corrected, and by small steps: a bag that stands open lies outside
     of what is flat, and to correct that made all its rounds an eighth too short, as they stayed once threads drew it flat."""
     best, history = pulled(task, first, tries)
     best, more = _counted(task, best, tries, HELD)
-    return best, history + more
+    return task, best, history + more
 
 
 def _stuffed(task: Task) -> bool:
