@@ -393,3 +393,24 @@ def test_words_that_fit_no_other_edge_are_a_gap_and_no_traceback() -> None:
         "Rows 2-6: scblo in all sts. (4). Ch1 and turn.\nRow 1 : Ch2 (counts as the 1st hdc) and hdc1 in first row. (8) ch2 and turn.\n"
     )
     assert account(pattern(words))["not_understood"]
+
+
+def test_a_number_behind_a_stitch_is_of_it_where_the_count_says_so() -> None:
+    words = "Head\nRnd 1. into a magic ring sc 6 (6)\nRnd 2. inc x 6 (12)\nRnd 3. sc 1 inc x 6 (18)\nRnd 4. sc 2 inc x 6 (24)\nRnd 5. sc 2 dec x 6 (18)\n"
+    assert counts(words) == [6, 12, 18, 24, 18]
+
+
+def test_rows_begun_in_one_chain_go_round() -> None:
+    words = (
+        "Small elephant\n\nEars\nMake 2.\n1st row: 2 chain sts, 6 single crochets in the 1st st (6);\n2nd row: increase x 6 times (12);\n"
+        "Fold the ear and leave a long end, cut the yarn.\nTrunk\n1st row: 2 chain sts, 6 single crochets in the 1st st (6);\n3rd-5th rows: 6 single crochets.\n"
+    )
+    found = pattern(words)
+    assert [(part.name, part.copies) for part in found.parts] == [("Ears", 2), ("Trunk", 1)]
+    assert not [
+        i
+        for part in found.parts
+        for line in part.lines
+        for i in line.items
+        if isinstance(i, Action) and i.name == "turn"
+    ]

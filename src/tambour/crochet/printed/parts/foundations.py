@@ -16,6 +16,7 @@ from tambour.crochet.printed.rounds.reader import Body
 if TYPE_CHECKING:
     from tambour.crochet.printed.parts.part import Draft
 
+_ROWED = 6  # the same of rows
 _RING = 3  # stitches in one chain that are a ring, at least
 
 
@@ -125,8 +126,11 @@ def _chained(
     if stood := _stood(source, items, first, 0 if row else body.hook, chain.times):
         draft.lines[at] = replace(base, items=tuple(before))
         return stood
-    one = body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row
-    if one and kind is not None and isinstance(first, Action) and kind.makes * first.times >= _RING:
+    one = body.hook and chain.times - hook + 1 <= 1 and kind is not None
+    # Rows are rounds where six and more begin in one chain, and nothing turns.
+    least = _ROWED if row else _RING
+    turned = row and any(isinstance(i, Action) and i.name == "turn" for i in items)
+    if one and kind is not None and isinstance(first, Action) and kind.makes * first.times >= least and not turned:
         draft.lines[at] = replace(base, items=tuple(before))
         ring = _ring(source, first)
         return [ring if i is first else i for i in items]

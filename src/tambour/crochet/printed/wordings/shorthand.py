@@ -64,6 +64,7 @@ def beside(tokens: list[Token]) -> list[Token]:
     if not end:
         return tokens
     count = _count_behind(tokens, end)
+    tokens = _many_first(tokens, end, count)
     made: list[Token] = []
     for k, token in enumerate(tokens[:end]):
         before = tokens[k - 1] if k else None
@@ -83,6 +84,21 @@ def beside(tokens: list[Token]) -> list[Token]:
             made.append(Token("mark", ",", token.start, token.start))
         made.append(token)
     return [*made, *tokens[end:]]
+
+
+def _many_first(tokens: list[Token], end: int, count: tuple[int, int] | None) -> list[Token]:
+    """Puts "sc 2 inc x 6 (24)" as "2 sc inc x 6 (24)", where the count says that the number is of the stitch before it."""
+    if end < 3 or count is None:
+        return tokens
+    plain, number, shaped = tokens[end - 3 : end]
+    if plain.value not in _PLAIN or number.kind != "number" or number.glued or shaped.value not in ("inc", "dec"):
+        return tokens
+    if end > 3 and tokens[end - 4].kind == "number":
+        return tokens  # "1 sc 1 inc x 6"
+    once = 2 if shaped.value == "inc" else 1
+    if count[0] * (number.value + once) != count[1]:
+        return tokens
+    return [*tokens[: end - 3], number, plain, *tokens[end - 1 :]]
 
 
 def _of_two(before: Token | None, token: Token, count: tuple[int, int] | None) -> bool:
