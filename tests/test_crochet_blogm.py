@@ -230,3 +230,27 @@ def test_makers_levels_and_needles_head_no_part(line: str) -> None:
     )
     assert len(found.parts) == 2
     assert not {"somebody", "medium", "needle"} & set(found.parts[0].name.lower().split())
+
+
+@pytest.mark.parametrize("end", ["sts made.", "sts made", "sc total", "stitches in total"])
+def test_a_count_may_say_that_it_is_one(end: str) -> None:
+    words = f"Fish\nRnd 1: Magic ring, 8 sc in ring.\n\nRnd 2: Make 2 sc in each st around. (16 {end})\n\nRnd 3: (Sc in next st. Make 2 sc in next st) around. (24 {end})\n"
+    assert counts(words) == [8, 16, 24]
+
+
+def test_twice_behind_a_cross_and_stitches_behind_a_semicolon() -> None:
+    words = "Bird\nR1: 6 sc in magic ring (6)\nR2: inc x 6 (12)\nR3: (2 inc, 4 sc) x twice (16)\nR4: sc, inc, (2 sc, inc) * 4 times; 2 sc - (21)\n"
+    assert counts(words) == [6, 12, 16, 21]
+
+
+def test_two_together_for_a_decrease_are_one() -> None:
+    words = "Fish\nRnd 1: 8 sc in magic ring (8)\nRnd 2: 2 sc in each st around (16)\nRnd 3: (Sc in each of the next 2 sts. Sc next 2 sts tog for a dec) around. (12 sts)\n"
+    assert counts(words) == [8, 16, 12]
+
+
+def test_a_repeat_to_an_asterisk_once_stays_one() -> None:
+    words = (
+        "Bird\nRnd 1: 8 sc in magic ring (8)\nRnd 2: 2 sc in each st around (16)\n"
+        "Rnd 3: 4 sc. *1 sc in each of next 4 sc. Sc2tog. * Rep from * to * once. (14)\n"
+    )
+    assert counts(words) == [8, 16, 14]

@@ -20,6 +20,7 @@ SAID: Final = (
     (r"repeat(?= [\[(] [^\])*]+ [\])] (?:around|across|to (?:the )?end)(?: ?[.,;(]| ?$))", ""),
     (rf"(dec|decrease|invdec|sc2tog) over (?:the )?(?:first|next|last|following) 2 (?:{_STITCH})", "{1}"),
     (r"(sc|hdc|dc) in (?:the )?(2nd|second) and (?:3rd|third) (ch|chains?|chs) from (?:the )?hook", "{1} in {2} {3} from hook , {1} in next {3}"),
+    (r"(?:single crochet|sc) (?:the )?(?:next|following) 2 (?:sts|stitches|sc) (?:tog|together) (?:for|as|to make) (?:a |one |1 )?(?:dec|decrease)", "dec"),
     (r"(rep|repeat) around all (?:the )?(?:sts|stitches)", "{1} around"),
     *(
         (rf"(in (?:the )?(?:{a})(?: (?:{_STITCH}))? , (?:\d+ )?(?:{_KIND})) in (?:the )?(?:{b})(?: (?:{_STITCH}))?(?= ?[,.;)\]]| ?$)", "{1} in next")
@@ -46,6 +47,10 @@ SAID: Final = (
     # counts
     (r"< (\d+) >(?= ?\.?(?: fasten| cut| join| turn| ?$))", "( {1} )"),
     (r"\( (\d+) / \d+ chs? \)", "( {1} )"),
+    (rf"([(\[]) (\d+) ({_STITCH}) (?:made|total|in total|altogether) ?\.? ([)\]])", "{1} {2} {3} {4}"),
+    # how often
+    (r"(?<=[)\]] )x (twice|once)(?= ?[,.;(]| ?$)", "{1}"),
+    (rf"(times|twice) ;(?= (?:\d+ )?(?:{_KIND}|inc|dec)(?!\S))", "{1} ,"),
     # what is told behind a count
     (rf"([)\]]) = \d+ {_ROUND}s?(?= ?\.?$)", "{1}"),
     (r"([)\]]) -(?= (?:work|weave|hide|crochet over|carry|don't|do not|remember|you) )", "{1} ."),
