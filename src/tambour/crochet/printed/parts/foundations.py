@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
     from tambour.crochet.printed.parts.part import Draft
 
 _ROWED = 6  # the same of rows
+_TURN = re.compile(r"(?<!not )(?<!never )(?<!n't )(?<!without )\bturn(?:ed|ing)?\b", re.IGNORECASE)
+_RISEN = re.compile(r":\s*(?:ch|chain)\s?[23]\b(?!.*\b(?:join|sl|slst|ss)\b)", re.IGNORECASE)
+_EVERY = re.compile(r"[^.\n]*\b(?:each|every|all|end of) [^.\n]*\brows?\b[^.\n]*", re.IGNORECASE)
 _RING = 3  # stitches in one chain that are a ring, at least
 
 
@@ -98,6 +102,14 @@ def _ring(source: Source, item: Action) -> Action:
     return Action(made.name, item.span)
 
 
+def _turns(text: str, at: int) -> bool:
+    """Whether the row behind the one at ``at`` is turned, or every row is: "Row 2: ch 3, turn, …", "Turn at the end of each row"."""
+    below = [line for line in text[at:].split("\n")[1:] if line.strip()][:1]
+    if any(_TURN.search(line) or _RISEN.search(line) for line in below):
+        return True
+    return any(_TURN.search(said[0]) for said in _EVERY.finditer(text))
+
+
 def _chained(
     draft: Draft,
     source: Source,
@@ -129,7 +141,9 @@ def _chained(
     one = body.hook and chain.times - hook + 1 <= 1 and kind is not None
     # Rows are rounds where six and more begin in one chain, and nothing turns.
     least = _ROWED if row else _RING
-    turned = row and any(isinstance(i, Action) and i.name == "turn" for i in items)
+    turned = row and (
+        any(isinstance(i, Action) and i.name == "turn" for i in items) or _turns(source.text.text, first.span.end)
+    )
     if one and kind is not None and isinstance(first, Action) and kind.makes * first.times >= least and not turned:
         draft.lines[at] = replace(base, items=tuple(before))
         ring = _ring(source, first)

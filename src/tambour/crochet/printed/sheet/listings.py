@@ -15,6 +15,11 @@ _STOPS: Final = frozenset((".", ":", ")"))
 _MANY: Final = re.compile(
     r"(?:(?:rows?|rounds?|rnds?|rds?) |r ?)?(\d+) - r?(\d+) [:.)] (?:[(\[] )?(\d+) (?:rounds|rows|rnds|rds)(?: (?:even|total))?(?: [)\]])?(?= [(\[=-]|$)"
 )
+_COUNT: Final = re.compile(r"^ (?:[-=] )?[(\[]? ?\d+(?: (?:sts?|stitches|sc|hdc|dc|tr))?(?: [)\]])?(?= ?[-.,;(]| ?$)")
+_WORKED: Final = re.compile(
+    r"\b(?:\d?sc|\d?hdc|\d?dc|\d?tr|\d?inc|\d?dec|single|double|treble|increase|decrease|invdec|bobble|slst|sl st)\b"
+)
+"""Words that say themselves how such rounds are worked."""
 _ROUND: Final = frozenset(("row", "round", "rnd"))
 _YARNS: Final = frozenset("change changing switch switching swap".split())
 _SIGNS: Final = frozenset(("-", "–", "•", "·", "●", "▪"))
@@ -143,6 +148,8 @@ def _counting(row: Row) -> Row:
     found = _MANY.match(words)
     if found is None or int(found[2]) - int(found[1]) + 1 != int(found[3]):
         return row
+    if _WORKED.search(_COUNT.sub("", words[found.end() :], count=1)):
+        return row  # "Rnds 4-6: (3 rnds) - hdc in each st around"
     at = len(words[: found.end(1)].split()) + 2  # behind the last number
     begin = next(k for k in range(at, len(row.tokens)) if row.tokens[k].word not in _STOPS)
     end = len(words[: found.end()].split())

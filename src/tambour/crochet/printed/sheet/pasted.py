@@ -360,7 +360,11 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
             else:
                 far += 1
             at += 1
-        if len(run) >= _RUN and not all(_bears(rows[line].tokens, number) for line, number in run):
+        own = all(_bears(rows[line].tokens, number) for line, number in run)
+        own = own or all(
+            _bears(rows[line].tokens, number - 1) for line, number in run[1:]
+        )  # a ring, "Step 1", "Step 2"
+        if len(run) >= _RUN and not own:
             for line, number in run:
                 made[line] = headed(rows[line], number, called)
         k = max(at, k + 1)

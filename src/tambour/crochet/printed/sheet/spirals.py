@@ -17,6 +17,11 @@ _FOUNDS: Final = re.compile(
 _CHAIN: Final = re.compile(r"(?:^|[ .:])(?:ch|chain) ?2(?: \.)?$")
 _AROUND: Final = re.compile(r"\baround\b|\bevery (?:st|stitch|sc)\b|\b2 sc in each\b|\binc (?:x|\*|around)|\b6 inc\b")
 _TURNED: Final = re.compile(r"\bturn\w*\b|: ch(?:ain)? 1\b")
+_RISEN: Final = re.compile(r": (?:ch|chain) ?[23]\b(?!.*\b(?:join|sl|slst|ss)\b)")
+_EACH: Final = re.compile(
+    r"\bturn(?:ing|ed)?\b.*\b(?:each|every|all|end of)\b.*\brows?\b|\b(?:each|every|all)\b.*\brows?\b.*\bturn"
+)
+"""What is said once of all rows: "Turn at the end of every row"."""
 _LEAST: Final = 3  # stitches in one chain that are a ring
 _SURE: Final = 5  # of so many no row is begun
 _CALLED: Final = {"row": "round", "rows": "rounds"}
@@ -27,6 +32,8 @@ def spirals(rows: list[Row]) -> list[Row]:
     made = list(rows)
     words = [" ".join([t.word for t in row.tokens]) for row in rows]
     heads = [_ROW.match(w) for w in words]
+    if any(_EACH.search(w) and "do not turn" not in w and "not turn" not in w for w in words):
+        return made
     for k, found in enumerate(heads):
         if found is None or int(found[1] or found[2]) != 1:
             continue
@@ -43,7 +50,8 @@ def spirals(rows: list[Row]) -> list[Row]:
         run = [n for n in range(k, end) if heads[n]]
         said = " | ".join(words[run[0] : run[-1] + 1])
         sure = int(founds[1] or founds[2]) >= _SURE or _AROUND.search(said)
-        if len(run) < 2 or not sure or _TURNED.search(said):
+        risen = any(_RISEN.search(words[n]) for n in run[1:])  # a row's turning chain
+        if len(run) < 2 or not sure or risen or _TURNED.search(said):
             continue
         for n in run:
             made[n] = replace(rows[n], tokens=_called(rows[n].tokens))

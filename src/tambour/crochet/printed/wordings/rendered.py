@@ -59,7 +59,7 @@ _ALWAYS: Final = Sayings(
         (r"dec ?1 (?:x|\*) ?(\d+)(?= ?[(\[=.,;]| ?$)", "{1} dec"),
         (r"(\d+ (?:inc|dec)) from (?:sc|dc|hdc)", "{1}"),
         (r"note : (?:pm|place (?:a |the )?(?:stitch )?marker) (?:on|in) (?:the )?(?:1st|first) (?:sc|st|stitch)", ""),
-        (r"^((?:row|round|rnd) \d+ :) (?:[a-z]+ ){1,2}(?:row|round|rnd) :", "{1}"),
+        (r"^((?:row|round|rnd) \d+ :) (?:(?!sc|hdc|dc|tr|blo|flo|front|back|loops?|post|fp|bp)[a-z]+ ){1,2}(?:row|round|rnd) :", "{1}"),
         (r"^(row|round|rnd) \d+ is (the|an?|optional|your|where)", "this {1} is {2}"),
         (r"^(?:necessary|required|needed|used) materials(?: (?:and|&) (?:tools|equipment|supplies))?(?: [:;])?$", "materials :"),
         (r"make (\d+) (inc|dec|increases?|decreases?)(?= ?[=(\[]| ?$)", "{2} {1} sts evenly"),

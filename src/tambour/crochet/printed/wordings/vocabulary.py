@@ -341,7 +341,14 @@ _BESIDE: Final = re.compile(
 )
 """A repeat of a single crochet and a shaping that nothing parts, how often, and its count: "(sc inc) x 6 (18)"."""
 _ALONE: Final = re.compile(r"(?<![a-z] )\b(?:\d+ ?inc\b|inc ?[x×*] ?\d)", re.IGNORECASE)
-_GROWN: Final = re.compile(r"(?<!\d )(?<!\d)\bsc inc\b", re.IGNORECASE)
+_GROWN: Final = re.compile(r"(?<!\d )(?<!\d)\bsc inc\b(?! in(?:to)?\b)", re.IGNORECASE)
+_BEHIND: Final = re.compile(
+    r"[(\[*] *(?:(\d+) *)?sc *(?:in next(?: \d+)?(?: sts?| sc)? *)?, *(?:1 )?(?:sc (inc|dec)) *[)\]*] *(?:[x×*] *(\d+)|(\d+) *(?:x|times)) *[(\[=] *(\d+)",
+    re.IGNORECASE,
+)
+"""The same behind others, which a comma parts: "(2 sc, sc inc) x 6 (24)"."""
+_PLACED: Final = re.compile(r"\b(?:sc inc|inc sc) in(?:to)? (?:each|every|next|first|last|the|all)\b", re.IGNORECASE)
+"""One that has a place is one: "sc inc in each st around"."""
 
 
 def stand_beside(text: str) -> bool:
@@ -353,6 +360,12 @@ def stand_beside(text: str) -> bool:
         plain = 2 if (said[1] or said[2]).lower() == "inc" else 1
         two += count == often * (plain + 1)
         one += count == often * plain
+    for said in _BEHIND.finditer(text):
+        often, count, before = int(said[3] or said[4]), int(said[5]), int(said[1] or 1)
+        plain = 2 if said[2].lower() == "inc" else 1
+        two += count == often * (before + plain + 1)
+        one += count == often * (before + plain)
+    one += not two and bool(_PLACED.search(text))
     return two > one or (two == one == 0 and bool(_ALONE.search(text) and _GROWN.search(text)))
 
 

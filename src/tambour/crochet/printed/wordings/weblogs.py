@@ -28,7 +28,8 @@ SAID: Final = (
     ),
     (rf"(?<=[\[(*] )((?:\d+ )?(?:{_KIND})) in (?:the )?(?:first|1st)(?: (?:{_STITCH}))?(?= , (?:\d+ )?(?:{_KIND}) in next)", "{1} in next"),
     # rings
-    (rf"(?:^|(?<=[.:)] ))({_MR}) (?:with|of) (\d+) (?:{_STITCH})", "{2} sc in {1}"),
+    (rf"(?:^|(?<=[.:)] ))({_MR}) (?:with|of) (\d+) ({_KIND})", "{2} {3} in {1}"),
+    (rf"(?:^|(?<=[.:)] ))({_MR}) (?:with|of) (\d+) (?:sts?|stitch|stitches)", "{2} sc in {1}"),
     (rf"({_KIND}) (\d+) times (?:around|in|into|inside|through) (?:the |your )?(?:loop|ring|circle)", "{2} {1} in ring"),
     (rf"(in (?:an? |the )?(?:{_MR})) or ch 2 ,? ?(?:and )?(?:work |make )?(?:(?:{_KIND}) \d+|\d+ (?:{_KIND})) in(?:to)? (?:the )?(?:first|1st|second|2nd) (?:ch|chain)(?: from (?:the )?hook)?", "{1}"),
     (rf"ch(?:ain)? 2 or (?:an? |the )?({_MR})(?: or (?:start )?(?:however|whichever way|any way) you (?:like|prefer|want|wish))?", "{1}"),
