@@ -132,14 +132,22 @@ def torn(text: str, rows: list[Row]) -> list[Row]:
     """``rows`` with the heads of rounds that stand alone, or with one word behind them, together with what they head, as pages have it that were
     copied from a narrow column: "Rnd 3: 1 | hdc in next st, 2 hdc in next st, repeat to | end (18)"."""
     made: list[Row] = []
+    points = False  # the lines above are points of a round whose head stands alone
     for at, row in enumerate(rows):
         above = rows[at - 1] if at else row
-        if made and row.tokens and above.tokens and not above.marked and _breaks(text, above, row):
+        point = bool(row.tokens) and text[row.start : row.end].lstrip()[:1] in _POINTS
+        if made and point and points and not _BEGUN.match(text, row.start, row.end):
+            end = made[-1].tokens[-1]
+            stop = [] if end.word in (".", ",", ":", ";") else [Token("mark", ".", end.end, end.end, None, True)]
+            made[-1] = Row([*made[-1].tokens, *stop, *row.tokens], made[-1].start, row.end)
+        elif made and row.tokens and above.tokens and not above.marked and _breaks(text, above, row):
             begun, more = made[-1].tokens, row.tokens
+            points = point and _HEAD.fullmatch(text[above.start : above.end]) is not None
             if _HEAD.fullmatch(text[above.start : above.end]):
                 begun = begun[1:] if begun[0].word in _LEADS else begun
             made[-1] = Row([*begun, *more], begun[0].start, row.end)
         else:
+            points = False
             made.append(row)
     return made
 
@@ -148,15 +156,21 @@ _POINTED: Final = re.compile(r"\n\s*\((?i:see) [^()\n]{2,40}\)(?=,)|\((?i:see)\s
 """What points to another page, and has a line to itself or is broken in two: "form a ring | (see illustration), 6 sc"."""
 
 
+_COUNTING: Final = re.compile(
+    r"\(\d+ (?:sts?|stitches|sc|hdc|dc)\.?\s*\n\s*(?:made|total|in all|left|around)\.?\)", re.IGNORECASE
+)
+"""A count that is broken in two: "(72 sts | made.)"."""
+
+
 def pointed(text: str, rows: list[Row]) -> list[Row]:
     """``rows`` without what points to another page in the midst of a sentence, whose lines are one again."""
-    for found in _POINTED.finditer(text):
+    for found in (*_POINTED.finditer(text), *_COUNTING.finditer(text)):
         first = next((k for k, row in enumerate(rows) if row.start <= found.start() <= row.end), None)
         last = next((k for k, row in enumerate(rows) if row.start < found.end() <= row.end), None)
         if first is None or last is None or not rows[first].tokens:
             continue
         tokens = [t for row in rows[first : last + 1] for t in row.tokens]
-        kept = [t for t in tokens if t.end <= found.start() or t.start >= found.end()]
+        kept = [t for t in tokens if t.end <= found.start() or t.start >= found.end() or found.re is _COUNTING]
         rows = [*rows[:first], Row(kept, rows[first].start, rows[last].end), *rows[last + 1 :]]
     return rows
 
