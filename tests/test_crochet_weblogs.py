@@ -414,3 +414,47 @@ def test_rows_begun_in_one_chain_go_round() -> None:
         for i in line.items
         if isinstance(i, Action) and i.name == "turn"
     ]
+
+
+def test_a_head_over_points_has_all_of_them() -> None:
+    words = (
+        "Daisy\n\nIn Yellow:\nRound 1:\n- Start with a Magic Ring.\n- Ch 1 (does not count as a stitch).\n- Make 6 sc into the ring.\n- (6 sc total)\n"
+        "Round 2:\n- Work 2 sc into every stitch around (sc inc).\n- (12 sc total)\nRound 3:\n- Work *[1 sc in the next st, 2 sc in the following st].\n"
+        "- Repeat from * around.\n- (18 sc total)\n"
+    )
+    assert counts(words) == [6, 12, 18]
+
+
+def test_a_count_that_a_page_broke_in_two_is_one() -> None:
+    words = (
+        "BODY\nRnd 1: With blue yarn and H hook make a magic ring. Ch 1 and make 8 sc in ring.\nRnd 2: Make 2 sc in each st around. (16 sts\n\nmade.)\n"
+        "Rnd 3: Sc in each of the 16 sts around.\n"
+    )
+    found = pattern(words)
+    assert counts(words) == [8, 16, 16]
+    assert any(isinstance(i, Action) and i.name == "color" for line in found.parts[0].lines for i in line.items)
+
+
+def test_a_yarn_that_is_changed_to_by_brand_and_number_has_its_colour() -> None:
+    words = "Leg\nWith red, 6 sc in MR\nR2: 6 inc (12)\nChange to Softest Cotton #20 (white) yarn\nR3: 12 sc (12)\n"
+    hues = [
+        i for line in pattern(words).parts[0].lines for i in line.items if isinstance(i, Action) and i.name == "color"
+    ]
+    assert len(hues) == 2 and hues[0].numbers != hues[1].numbers
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Fasten off the first leg. Make the second leg and do not cut the yarn. On the next round, join the legs.\nR5: Ch 2, join to the first leg with 1 sc (mind that both feet face forward), then work 9 sc around, 2 sc in the chs, 10 sc around the other leg, 2 sc on the other side of the chs = 24 sts;",
+        "First leg is done! Fasten off. Crochet the second leg till round 4 but don't cut the yarn. Chain 2 on the second leg and join the first leg.\nR5: 10 sc + 2 sc (first side of the chain) + 10 sc + 2 sc (other side of the chain) (24)",
+    ],
+)
+def test_a_second_leg_in_the_midst_of_a_part(said: str) -> None:
+    words = f"Doll\n\nBody & Head\nStart with the feet.\nR1: 5 sc in MR (5)\nR2: 5 inc (10)\nR3-4: 10 sc (10)\n{said}\nR6: 24 sc (24)\n"
+    found = pattern(words)
+    assert [(part.name, part.copies) for part in found.parts] == [("Body and Head", 1)]
+    built = build(found)
+    made = [w.made for w in built.worked if w.line.in_round]
+    assert made[:8] == [5, 10, 10, 10] * 2 and made[-1] == 24 and len(made) == 10
+    assert not [p.message for p in built.warnings if "the pattern says" in p.message]

@@ -4,6 +4,7 @@ the round ("Ch 3, connect to the first leg."): what the count bears out is worke
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -18,6 +19,7 @@ from tambour.crochet.printed.tokens import Token
 _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
 _LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
+_MAKE: Final = frozenset("make crochet work repeat".split())
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
 
@@ -37,6 +39,26 @@ def bridging(p: State, tokens: list[Token]) -> bool:
     if draft is None or _pair(p, draft, tokens) is None:
         return False
     p.bridge = many[0], Span(tokens[0].start, tokens[-1].end), tokens
+    return True
+
+
+def second_made(p: State, tokens: list[Token]) -> bool:
+    """Takes "Make the second leg and do not cut the yarn" in the midst of a part, which is one leg so far, for what its next rounds go over;
+    whether a sentence says so."""
+    draft = p.parts[-1] if p.parts else None
+    rank = next((k for k, t in enumerate(tokens[:4]) if t.value in (2, "other")), len(tokens))
+    named = rank + 1 < len(tokens) and (not rank or tokens[rank - 1].word in _MAKE)
+    kind = _kind(tokens[rank + 1].word) if named else ""
+    kept = any(
+        (a.value == "not" and b.value in ("fasten off", "cut", "break")) or b.word in ("cut", "break")
+        for a, b in pairwise(tokens)
+    )
+    if draft is None or kind not in _KINDS or not kept or not draft.begun() or draft.copies > 1 or draft.merged:
+        return False
+    if any(_is(d, kind) and d.begun() and not d.merged for d in p.parts if d is not draft):
+        return False
+    draft.twin = kind
+    p.passed.append(Span(tokens[0].start, tokens[-1].end))
     return True
 
 
@@ -95,9 +117,10 @@ def _pair(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, st
     """The piece at the hook, the other one, and what both are, where words name their kind."""
     for kind in dict.fromkeys(_kind(t.word) for t in tokens if t.kind == "word"):
         kin = [d for d in p.parts if kind in _KINDS and d.begun() and not d.merged and _is(d, kind)]
+        kin = [draft] if draft.twin and draft.twin == kind and draft.begun() else kin
         if draft.begun() and draft not in kin and p.heading is None:
             continue
-        if len(kin) == 1 and kin[0].copies == 2:
+        if len(kin) == 1 and (kin[0].copies == 2 or (kind and kin[0].twin == kind)):
             return kin[0], kin[0], kind
         if len(kin) == 2 and all(d.copies == 1 for d in kin):
             here = draft if draft in kin else kin[1]

@@ -72,6 +72,7 @@ class Draft:
     plan : the stripes that its next rounds are worked in, and where they are said; over : what stands over its heading and others
     loose : its last line, where a sentence worked part of a round only, the stitches below it, and the round before
     loops : those that its rounds, or some of them, are worked into; worn : which of several lists its yarns' letters are of
+    twin : what it is one of, where a sentence has the second made before its rounds go on over both: "leg"
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -110,6 +111,7 @@ class Draft:
     over: str = ""
     loose: tuple[Line, int | None, int] | None = None
     worn: int = 0
+    twin: str = ""
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""

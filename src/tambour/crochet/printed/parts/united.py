@@ -383,7 +383,7 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
     draft.copies_span = None
     draft.name = (
         draft.name
-        if draft is not here
+        if draft is not here or draft.twin
         else f"{noun}s and body".upper()
         if here.name.isupper()
         else f"{noun.capitalize()}s and body"

@@ -156,7 +156,7 @@ _POINTED: Final = re.compile(r"\n\s*\((?i:see) [^()\n]{2,40}\)(?=,)|\((?i:see)\s
 """What points to another page, and has a line to itself or is broken in two: "form a ring | (see illustration), 6 sc"."""
 
 
-_COUNTING: Final = re.compile(
+_PARTED: Final = re.compile(
     r"\(\d+ (?:sts?|stitches|sc|hdc|dc)\.?\s*\n\s*(?:made|total|in all|left|around)\.?\)", re.IGNORECASE
 )
 """A count that is broken in two: "(72 sts | made.)"."""
@@ -164,13 +164,13 @@ _COUNTING: Final = re.compile(
 
 def pointed(text: str, rows: list[Row]) -> list[Row]:
     """``rows`` without what points to another page in the midst of a sentence, whose lines are one again."""
-    for found in (*_POINTED.finditer(text), *_COUNTING.finditer(text)):
+    for found in (*_POINTED.finditer(text), *_PARTED.finditer(text)):
         first = next((k for k, row in enumerate(rows) if row.start <= found.start() <= row.end), None)
         last = next((k for k, row in enumerate(rows) if row.start < found.end() <= row.end), None)
         if first is None or last is None or not rows[first].tokens:
             continue
         tokens = [t for row in rows[first : last + 1] for t in row.tokens]
-        kept = [t for t in tokens if t.end <= found.start() or t.start >= found.end() or found.re is _COUNTING]
+        kept = [t for t in tokens if t.end <= found.start() or t.start >= found.end() or found.re is _PARTED]
         rows = [*rows[:first], Row(kept, rows[first].start, rows[last].end), *rows[last + 1 :]]
     return rows
 
