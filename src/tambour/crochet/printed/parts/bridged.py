@@ -3,6 +3,7 @@ the round ("Ch 3, connect to the first leg."): what the count bears out is worke
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Final
@@ -19,6 +20,8 @@ from tambour.crochet.printed.tokens import Token
 _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
 _LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
+_NEAR: Final = 300  # characters within which two legs are joined
+_JOINED: Final = re.compile(r"\b(?:join|connect|attach|unite)", re.IGNORECASE)
 _MAKE: Final = frozenset("make crochet work repeat".split())
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
@@ -57,6 +60,9 @@ def second_made(p: State, tokens: list[Token]) -> bool:
         return False
     if any(_is(d, kind) and d.begun() and not d.merged for d in p.parts if d is not draft):
         return False
+    behind = p.source.text.text[tokens[-1].end : tokens[-1].end + _NEAR]
+    if not _JOINED.search(behind):
+        return False  # it is only named: told
     draft.twin = kind
     p.passed.append(Span(tokens[0].start, tokens[-1].end))
     return True

@@ -104,7 +104,7 @@ _IDIOMS: Final = tuple(
         # weblogs
         (rf"(?:^|(?<=[.:)] ))(?:2|two) (?:{_CHAINS})(?: sts?| stitches)? ,? (?:and )?(?:then )?([4-9]|1\d) (sc|dc|single crochets?|double crochets?) (?:in|into) (?:the )?(?:first|1st) (?:st|stitch|ch|chain|loop)(?! from| sp| space)", "ch 2 , {1} {2} in second ch from hook"),
         (r"(with|using|in) ([a-z]+(?: [a-z]+)?) yarn and (?:a |an |the |your )?(?:size )?[a-p](?: ?[/-] ?\d+)? hook(?= |$)", "{1} {2} ,"),
-        (r"(change|switch) (to|into) (?:[a-z]+ ){1,4}(?:# ?)?\d+ \( ([a-z]+(?: [a-z]+)?) \)(?: yarn)?(?= ?[.,;]| ?$)", "{1} {2} {3}"),
+        (r"(change|switch) (to|into) ((?:[a-z]+ ){1,4})# ?(\d+) (\( [a-z]+(?: [a-z]+)? \))(?: yarn)?(?= ?[.,;]| ?$)", "{1} {2} {3} {4} {5}"),
         (r"(with|using|in) (?:a |an |the )?([a-z]+(?: [a-z]+)?) colou?red yarn", "{1} {2} yarn"),
         (r"^([a-z]+(?: [a-z]+){0,2}) \( (make) (\w+) \) (in|with) ([a-z]+(?: [a-z]+)?)(?: :)?$", "{1} ( {2} {3} , {4} {5} )"),
         (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook , (make) (\w+) \)", "( in {1} , {2} {3} )"),
