@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from tambour.core.errors import Text
+from crochet_read import pattern
 from tambour.crochet.graph.build import build
-from tambour.crochet.language.tree import Action, Group, Line, Pattern
-from tambour.crochet.printed.choose import account, read
-
-
-def pattern(words: str) -> Pattern:
-    return read(Text(words, "page.txt"))
+from tambour.crochet.language.tree import Action, Group, Line
+from tambour.crochet.printed.choose import account
 
 
 def names(line: Line) -> list[str]:

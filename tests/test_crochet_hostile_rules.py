@@ -4,25 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from tambour.core.errors import Text
+from crochet_read import counts, pattern
 from tambour.crochet.graph.build import build
-from tambour.crochet.language.tree import Action, Group, Item, Pattern
-from tambour.crochet.printed.choose import account, read
+from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.choose import account
 
 BEGUN = "Head\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\n"
-
-
-def pattern(words: str) -> Pattern:
-    return read(Text(words, "page.txt"))
-
-
-def counts(words: str) -> list[int]:
-    """The stitches of each round as they are worked, of a text that nothing is wrong with."""
-    found = pattern(words)
-    built = build(found)
-    assert not [p.message for p in built.warnings if "the pattern says" in p.message or "left over" in p.message]
-    assert not account(found).get("not_understood")
-    return [w.made for w in built.worked if w.line.in_round]
 
 
 def names(words: str) -> set[str]:

@@ -4,23 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from tambour.core.errors import Text
+from crochet_read import counts, pattern
 from tambour.crochet.graph.build import build
-from tambour.crochet.language.tree import Action, Pattern
-from tambour.crochet.printed.choose import account, read
-
-
-def pattern(words: str) -> Pattern:
-    return read(Text(words, "page.txt"))
-
-
-def counts(words: str) -> list[int]:
-    """The stitches of each round as they are worked, of a text that nothing is wrong with."""
-    found = pattern(words)
-    built = build(found)
-    assert not [p.message for p in built.warnings if "the pattern says" in p.message]
-    assert not account(found).get("not_understood")
-    return [w.made for w in built.worked if w.line.in_round]
+from tambour.crochet.language.tree import Action
+from tambour.crochet.printed.choose import account
 
 
 @pytest.mark.parametrize("end", ["sl st, ch 1", "1 ss, 1 ch", "slst/ch 1", "sl st", "sl st, fasten off"])

@@ -10,16 +10,13 @@ from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.gaps import spaced
 from tambour.crochet.printed.wordings.reworded import reworded
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
-from tambour.crochet.printed.wordings.weblogs import SAID
+from tambour.crochet.printed.wordings.weblogs import CHAINS, SAID, ST
 from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
 from tambour.crochet.words.sayings import Sayings
 
 _NTH: Final = r"\d+(?:st|nd|rd|th)|first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
-_CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
 _SC: Final = r"\w{2,6}"
-_ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
 _KIND: Final = "sc|hdc|dc|tr|single crochet|half double crochet|double crochet"
-_WEIGHT: Final = "(?:(?:sport|dk|worsted|aran|bulky|chunky|fingering)(?: weight)? )?"
 _UNLETTERED: Final = r"(?! (?:\(|:|mc|cc|[a-k])(?: |$))"
 _TURNED: Final = "(?:sc|single crochet)"
 
@@ -80,79 +77,31 @@ _IDIOMS: Final = tuple(
         (r"(double|half double|treble|single) crochet (front|back) post", "{2} post {1} crochet"),
         (r"button - hole", "buttonhole"),
         (r"in each (?:ch|chain) - \d+ or (?:ch|chain) - \d+ (sps?|spaces?)", "in each {1}"),
-        (rf"each ({_ST}) or ((?:ch|chain) - 1 (?:sps?|spaces?))", "each {1} and {2}"),
+        (rf"each ({ST}) or ((?:ch|chain) - 1 (?:sps?|spaces?))", "each {1} and {2}"),
         (rf"(\d+) more ({_KIND}) in(?:to)? (?:the )?(ring|loop)", "{1} {2} in {3}"),
         (r"[(\[] (rep|repeat) (rows?|rnds?|rounds?) (\d+) (and|-|to) (\d+) [)\]] (\d+) times", "{1} {2} {3} {4} {5} , {6} times"),
         (r"(rep|repeat) [(\[] (rows?|rnds?|rounds?) (\d+) (and|-|to) (\d+) [)\]] (\d+) times", "{1} {2} {3} {4} {5} , {6} times"),
         (r"for (?:pat|patt|pattern)(?= until)", ""),
         (r"in (?:the )?bottoms? of (?:the )?same (\d+) (chs?|chains?)", "in next {1} {2}"),
-        (rf"((?:1|2|3|one|two|three) (?:{_KIND})) (first|next|last) ({_ST})", "{1} in {2} {3}"),
+        (rf"((?:1|2|3|one|two|three) (?:{_KIND})) (first|next|last) ({ST})", "{1} in {2} {3}"),
         (r"evenly spaced", "evenly"),
         (r"evenly (across|around|over|on) (?:the )?(?:row|last row|last round|rnd|round)", "evenly {1}"),
         (r"(?:each|every) (ch|chain|chains) (?:of|in) (?:the )?(?:next )?(?:ch|chain) - (\d+) (?:sp|space|loop|lp)", "next {2} {1}"),
-        (rf"in (?:the )?(?:sps?|spaces?) between (?:each|every) (?:(?:2|two) )?({_ST})", "in each {1}"),
-        (rf"in (?:the )?(?:sps?|spaces?) between (first|next|last) (?:2|two) ({_ST})", "in {1} {2}"),
+        (rf"in (?:the )?(?:sps?|spaces?) between (?:each|every) (?:(?:2|two) )?({ST})", "in each {1}"),
+        (rf"in (?:the )?(?:sps?|spaces?) between (first|next|last) (?:2|two) ({ST})", "in {1} {2}"),
         (r"(?:continue|cont|continuing) to work in (sc|hdc|dc|single crochet|double crochet)", "work in {1}"),
         (rf"(?:work|working|worked) (?:even )?in ({_KIND})(?: sts?| stitch(?:es)?)? (?:to (?:the )?end of (?:the )?(?:row|rnd|round)|across|around)", "{1} in each st around"),
         (r"with (?:the )?(?:1st|2nd|3rd|4th|first|second|third|fourth|small|other|new) (?:small )?balls? of (\w+)", "with {1}"),
         (r"with (?:the )?(?:1st|2nd|3rd|4th|first|second|third|fourth|small|other|new) (?:small )?ball(?: ,)?", ""),
         (r"using (?:the )?(?:1st|2nd|3rd|4th|first|second|third|fourth|small|other|new) (?:small )?balls? of (\w+)", "using {1}"),
-        (rf"in (?:the )?(?:closest|nearest) ({_ST})", "in any {1}"),
+        (rf"in (?:the )?(?:closest|nearest) ({ST})", "in any {1}"),
         # the same round once more
         (r"(?:and )?(?:the )?(?:same again|ditto|the same again|same as (?:before|above)|once more the same)", "repeat last round"),
         (r"pop(?: (?:in|on))?(?= (?:the|your|both|them|those|these|two) (?!next|same|first|last|st|sts|sc|ring|loops?)\w)", "put in"),
-        # weblogs
-        (rf"(?:^|(?<=[.:)] ))(?:2|two) (?:{_CHAINS})(?: sts?| stitches)? ,? (?:and )?(?:then )?([4-9]|1\d) (sc|dc|single crochets?|double crochets?) (?:in|into) (?:the )?(?:first|1st) (?:st|stitch|ch|chain|loop)(?! from| sp| space)", "ch 2 , {1} {2} in second ch from hook"),
-        (r"(with|using|in) ([a-z]+(?: [a-z]+)?) yarn and (?:a |an |the |your )?(?:size )?[a-p](?: ?[/-] ?\d+)? hook(?= |$)", "{1} {2} ,"),
-        (r"(change|switch) (to|into) ((?:[a-z]+ ){1,4})# ?(\d+) (\( [a-z]+(?: [a-z]+)? \))(?: yarn)?(?= ?[.,;]| ?$)", "{1} {2} {3} {4} {5}"),
-        (r"(with|using|in) (?:a |an |the )?([a-z]+(?: [a-z]+)?) colou?red yarn", "{1} {2} yarn"),
-        (r"^([a-z]+(?: [a-z]+){0,2}) \( (make) (\w+) \) (in|with) ([a-z]+(?: [a-z]+)?)(?: :)?$", "{1} ( {2} {3} , {4} {5} )"),
-        (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook , (make) (\w+) \)", "( in {1} , {2} {3} )"),
-        (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook \)", "( in {1} )"),
-        (r"(attach|join|change to) ([a-z]+(?: ?- ?[a-z]+| [a-z]+)?) by (?:pulling|drawing) (?:up )?a loop through (?:the )?last (?:two|2|three|3) (?:loops|sts|stitches)(?: worked| on (?:the )?hook)?", "{1} {2}"),
-        (r"(?:(?<=[^\d:] )(?:and|then) |(?<=[.,;] ))sc (?:in|into) (?:the )?(?:first|1st) (?:sc|st|stitch) of (?:this |the )?(?:round|rnd)(?: \d+)?(?= ?[.;(\[]| ?$)", "marker"),
-        (r"(?<=: )(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only)(?= ?\.?(?: [(\[] ?\d+[^)\]]*[)\]]| = \d+)? ?\.?$)", "in {1} , sc around"),
-        (r"(?<=: )(?:\( )?(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only) [.)](?= \S)", "in {1} ,"),
-        (r"^yarn colou?r (\d|[a-h])(?: \.)?$", "color {1}"),
-        (r"change (?:the )?yarn to colou?r (\d|[a-h])", "change to color {1}"),
-        (r"((?:=|\)) \d+|\d+ \)) ,(?= (?:fill|stuff|sew|insert|cut|fasten|leave|attach|start|begin|add|put|place|embroider)\b)", "{1} ."),
-        (r", (?:the )?(?:torso|body|head|leg|arm) (?:is )?full$", ". stuff"),
-        (r"^colou?rs ([a-k])$", "color {1}"),
-        (r"^(\d+) \. - (\d+) \.", "{1} - {2} ."),
-        (r"^(\d+ (?:-|to) \d+ (?:rows|rounds|rnds)) / \d+ (?:rows?|rounds?|rnds?) / -?", "{1} -"),
-        (r"(?<=[.:] )(?:\( \d+ (?:rows?|rounds?|rnds?) \) )?unchanged(?= [(\[]| ?$)", "sc around"),
-        (r"^(\d+(?: - \d+)?) \) (\d+)$", "{1} : {2} sc"),
-        (r"\[ ?(?:rep|repeat) (rnds?|rounds?|rows?) (\d+) and (\d+) alternately ?\] (twice|\d+ times)", "rep {1} {2} and {3} {4}"),
-        (r"(?:form|make) (?:a )?slip ring", "magic ring"),
-        (r"in (?:the )?slip ring", "in ring"),
-        (r"(\( \d+(?: (?:sts?|sc|stitches))? \)|\[ \d+(?: (?:sts?|sc|stitches))? \]) -(?= (?:add|place|insert|put|attach|note|this|you|here|if|now|at this|use|make sure|don't|do not|before|remember|i|we|it|start|begin|mark|move|embroider|sew|pause|stop)\b)", "{1} ."),
-        (r"(?<!\d )(?:2|two) (sc|hdc|dc|tr) (?:together|tog)(?! (?:around|with|through|in)\b)", "{1} 2 tog"),
-        (r"(?:,|and|then) (?:repeat|rep) \* ?- ?\* (?:(?:un)?till?|to|through) (?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "repeat from * around"),
-        (r"(\*) ?[.,] ?(?:repeat|rep) \* ?- ?\* (?:(?:(?:un)?till?|til|to|through) )?(?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "{1} around"),
-        (r"(?:on|in) (?:the )?last (?:round|rnd|row) ,? ?sc (?:in|into) (?:the )?first (?:sc|st|stitch)(?: of (?:the |this )?(?:round|rnd|row))?(?= ?[.;]| ?$)", "marker"),
-        (r"(sc|work|crochet) (?:down|along|up) (?:the )?(?:chain|ch|row)(?= ?[.,;(\[]| ?$)", "{1} across"),
-        (r"(?:make|do|work) (?:a |1 |one )?(ss|sl st|slst|slip stitch)(?: -| ,)? only (?:in|into) (?:the )?(?:first|1st|next) (st|stitch)", "{1} in next {2}"),
-        (r"(colou?r) (?:\d|[a-h]) \( ((?!skip|see)[a-z]+(?: [a-z]+)?) \)(?= (?:for|:)| ?[.,;]| ?$)", "{1} {2}"),
-        (r"^(?:the )?colou?r (?:scheme|plan|order|sequence) (?:for|of) (?:(?:rnds?|rounds?|rows?) )?\d+ (?:-|to) \d+(?: (?:rnds?|rounds?|rows?))? ?[:.]?$", "marker"),
-        (r"^((?:start |begin )?(?:with )?(?:a |the )?(?:magic ring|magic circle|mr|mc) with \d+ sc) - 1 (?:rnd|round) ?\.?$", "round 1 : {1}"),
-        (r"(?:around )?(?:until|till) (?:you )?(?:reach|get to|come to|are at|are back at) (?:the |your )?(?:marked (?:st|stitch)|(?:stitch )?marker|(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?)", "around"),
-        (r"(?:do not|don't) (?:sl st|slip stitch|ss) (?:to|in|into) (?:the )?(?:beg|beginning|first|1st)(?: (?:st|stitch|sc))?", "do not join"),
-        (r"(?<=magic ring and work )(\d+ (?:single crochets?|sc)) in it", "{1} in ring"),
-        (r"(?<=magic circle and work )(\d+ (?:single crochets?|sc)) in it", "{1} in ring"),
-        (r"- note : pm (?:on|in) (?:the )?(?:1st|first) (?:sc|st|stitch)", "marker"),
-        (r"(?:start|begin) with either (?:\S+ ){3,14}?or (?:a |an |the )?(?:mc|mr|magic ring|magic circle|magic loop)", "magic ring"),
-        (r"(in|into) (?:the )?(?:mc|mr|magic ring|magic circle) or (?:the )?ring", "{1} ring"),
-        (r"(back|front) loops? only for (?:this|the) (?:round|rnd|row)(?: :| ,)?(?= (?:\d+ |\( |\[ |\* )?(?:sc|hdc|dc|inc|dec))", "in {1} loops only ,"),
-        (r"\* (?:for )?\d+ (?:rounds?|rnds?|rows?) \*(?= \d| sc| \()", ""),  # "7-10. *4 rows* 36 sc": the numbers of the rounds say it
-        (rf"(?:start|begin) (?:with|by) (?:making )?(?:(?:2|two) ({_CHAINS})|({_CHAINS}) (?:2|two)) ?,? (?:and )?(?:then )?(?:make|work|crochet|put|do )?(?: ?([4-9]|1[0-2]) (sc|dc|single crochets?|double crochets?)) (?:in|into) (?:the )?(?:first|1st|2nd|second) (?:st|stitch|ch|chain)(?: made| from (?:the )?hook)?", "{3} {4} in mr"),
-        (r"close (?:the )?(?:circle|ring) (?:by|with) (?:making |working )?(?:a |an )?(ss|sl st|slst|slip stitch) (?:in|into|to) (?:the )?(?:first|1st) (\w+)", "join with {1} in first {2}"),
-        (rf"(in (?:the )?first (?:{_ST}) , (?:\d+ )?\w+) in (?:the )?second ({_ST}) (, (?:\d+ )?\w+) in (?:the )?third ({_ST})(?! from)", "{1} in next {2} {3} in next {4}"),
-        (rf"(in (?:the )?first (?:{_ST}) , (?:\d+ )?\w+) in (?:the )?second ({_ST})(?! from)", "{1} in next {2}"),
-        (r"\( (?:you )?should (?:now |still )?(?:have|be left with|be) (\d+) (?:sts?|stitches)(?: by the end of (?:the )?(?:row|round|rnd)(?: \d+)?)?(?: \.)? \)", "( {1} )"),
         # translations
         (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:back|rear|far) (?:half )?(?:walls?|threads?|strands?|halves|half(?: -)? ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in blo"),
         (r"(?:behind|for|by|in|at|from|through|into|on|under) (?:the )?(?:front|near) (?:half )?(?:walls?|threads?|strands?|halves|half(?: -)? ?loops?)(?: of (?:the )?(?:loops?|stitch|stitches|sts?))?(?: only)?", "in flo"),
-        (rf"(?:dial|dials|type|recruit|collect|gain|cast on|cast|set) (\d+) ({_CHAINS})", "ch {1}"),
+        (rf"(?:dial|dials|type|recruit|collect|gain|cast on|cast|set) (\d+) ({CHAINS})", "ch {1}"),
         (rf"(?:from|in|into|starting from|starting in) (?:the )?({_NTH}) (?:loop|link|air loop) from (?:the )?hook", "in {1} ch from hook"),
         (r"(?:knit|knitting) (\d+|a|one|around|in)", "{1}"),
         (r"in (?:one|1) (?:loop|column)", "in 1 st"),

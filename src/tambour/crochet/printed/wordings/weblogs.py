@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
+ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
 _ROUND: Final = r"(?:round|rnd|row)"
 _LOOPS: Final = r"flo|blo|(?:front|back) loops?(?: only)?"
 _STITCH: Final = "sts?|stitch|stitches|sc|hdc|dc"
@@ -13,6 +15,7 @@ _HUE: Final = "black|white|cream|ivory|brown|tan|beige|gr[ae]y|red|pink|orange|y
 _COUNTS: Final = (
     r"ch(?:ain)?(?: \.)? \d (?:does not|doesn't|do not|don't) count as (?:a |an )?(?:sts?|stitch|sc|hdc|dc|tr)"
 )
+_WEIGHT: Final = "(?:(?:sport|dk|worsted|aran|bulky|chunky|fingering)(?: weight)? )?"
 _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 
 SAID: Final = (
@@ -57,4 +60,51 @@ SAID: Final = (
     (r"([)\]]) -(?= (?:work|weave|hide|crochet over|carry|don't|do not|remember|you) )", "{1} ."),
     (r"(?<=, )finish(?= ?[(.,;]| ?$)", "fasten off"),
     (r"^\*(?= (?:do not|don't|continue|now|this|you|at this) [^*]*$)", ""),
+    # of another day
+    (rf"(?:^|(?<=[.:)] ))(?:2|two) (?:{CHAINS})(?: sts?| stitches)? ,? (?:and )?(?:then )?([4-9]|1\d) (sc|dc|single crochets?|double crochets?) (?:in|into) (?:the )?(?:first|1st) (?:st|stitch|ch|chain|loop)(?! from| sp| space)", "ch 2 , {1} {2} in second ch from hook"),
+    (r"(with|using|in) ([a-z]+(?: [a-z]+)?) yarn and (?:a |an |the |your )?(?:size )?[a-p](?: ?[/-] ?\d+)? hook(?= |$)", "{1} {2} ,"),
+    (r"(change|switch) (to|into) ((?:[a-z]+ ){1,4})# ?(\d+) (\( [a-z]+(?: [a-z]+)? \))(?: yarn)?(?= ?[.,;]| ?$)", "{1} {2} {3} {4} {5}"),
+    (r"(with|using|in) (?:a |an |the )?([a-z]+(?: [a-z]+)?) colou?red yarn", "{1} {2} yarn"),
+    (r"^([a-z]+(?: [a-z]+){0,2}) \( (make) (\w+) \) (in|with) ([a-z]+(?: [a-z]+)?)(?: :)?$", "{1} ( {2} {3} , {4} {5} )"),
+    (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook , (make) (\w+) \)", "( in {1} , {2} {3} )"),
+    (rf"\( (?:in|with|using) ([a-z]+(?: [a-z]+)?) {_WEIGHT}yarn and (?:a )?[\d.]+ ?mm hook \)", "( in {1} )"),
+    (r"(attach|join|change to) ([a-z]+(?: ?- ?[a-z]+| [a-z]+)?) by (?:pulling|drawing) (?:up )?a loop through (?:the )?last (?:two|2|three|3) (?:loops|sts|stitches)(?: worked| on (?:the )?hook)?", "{1} {2}"),
+    (r"(?:(?<=[^\d:] )(?:and|then) |(?<=[.,;] ))sc (?:in|into) (?:the )?(?:first|1st) (?:sc|st|stitch) of (?:this |the )?(?:round|rnd)(?: \d+)?(?= ?[.;(\[]| ?$)", "marker"),
+    (r"(?<=: )(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only)(?= ?\.?(?: [(\[] ?\d+[^)\]]*[)\]]| = \d+)? ?\.?$)", "in {1} , sc around"),
+    (r"(?<=: )(?:\( )?(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only) [.)](?= \S)", "in {1} ,"),
+    (r"^yarn colou?r (\d|[a-h])(?: \.)?$", "color {1}"),
+    (r"change (?:the )?yarn to colou?r (\d|[a-h])", "change to color {1}"),
+    (r"((?:=|\)) \d+|\d+ \)) ,(?= (?:fill|stuff|sew|insert|cut|fasten|leave|attach|start|begin|add|put|place|embroider)\b)", "{1} ."),
+    (r", (?:the )?(?:torso|body|head|leg|arm) (?:is )?full$", ". stuff"),
+    (r"^colou?rs ([a-k])$", "color {1}"),
+    (r"^(\d+) \. - (\d+) \.", "{1} - {2} ."),
+    (r"^(\d+ (?:-|to) \d+ (?:rows|rounds|rnds)) / \d+ (?:rows?|rounds?|rnds?) / -?", "{1} -"),
+    (r"(?<=[.:] )(?:\( \d+ (?:rows?|rounds?|rnds?) \) )?unchanged(?= [(\[]| ?$)", "sc around"),
+    (r"^(\d+(?: - \d+)?) \) (\d+)$", "{1} : {2} sc"),
+    (r"\[ ?(?:rep|repeat) (rnds?|rounds?|rows?) (\d+) and (\d+) alternately ?\] (twice|\d+ times)", "rep {1} {2} and {3} {4}"),
+    (r"(?:form|make) (?:a )?slip ring", "magic ring"),
+    (r"in (?:the )?slip ring", "in ring"),
+    (r"(\( \d+(?: (?:sts?|sc|stitches))? \)|\[ \d+(?: (?:sts?|sc|stitches))? \]) -(?= (?:add|place|insert|put|attach|note|this|you|here|if|now|at this|use|make sure|don't|do not|before|remember|i|we|it|start|begin|mark|move|embroider|sew|pause|stop)\b)", "{1} ."),
+    (r"(?<!\d )(?:2|two) (sc|hdc|dc|tr) (?:together|tog)(?! (?:around|with|through|in)\b)", "{1} 2 tog"),
+    (r"(?:,|and|then) (?:repeat|rep) \* ?- ?\* (?:(?:un)?till?|to|through) (?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "repeat from * around"),
+    (r"(\*) ?[.,] ?(?:repeat|rep) \* ?- ?\* (?:(?:(?:un)?till?|til|to|through) )?(?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "{1} around"),
+    (r"(?:on|in) (?:the )?last (?:round|rnd|row) ,? ?sc (?:in|into) (?:the )?first (?:sc|st|stitch)(?: of (?:the |this )?(?:round|rnd|row))?(?= ?[.;]| ?$)", "marker"),
+    (r"(sc|work|crochet) (?:down|along|up) (?:the )?(?:chain|ch|row)(?= ?[.,;(\[]| ?$)", "{1} across"),
+    (r"(?:make|do|work) (?:a |1 |one )?(ss|sl st|slst|slip stitch)(?: -| ,)? only (?:in|into) (?:the )?(?:first|1st|next) (st|stitch)", "{1} in next {2}"),
+    (r"(colou?r) (?:\d|[a-h]) \( ((?!skip|see)[a-z]+(?: [a-z]+)?) \)(?= (?:for|:)| ?[.,;]| ?$)", "{1} {2}"),
+    (r"^(?:the )?colou?r (?:scheme|plan|order|sequence) (?:for|of) (?:(?:rnds?|rounds?|rows?) )?\d+ (?:-|to) \d+(?: (?:rnds?|rounds?|rows?))? ?[:.]?$", "marker"),
+    (r"^((?:start |begin )?(?:with )?(?:a |the )?(?:magic ring|magic circle|mr|mc) with \d+ sc) - 1 (?:rnd|round) ?\.?$", "round 1 : {1}"),
+    (r"(?:around )?(?:until|till) (?:you )?(?:reach|get to|come to|are at|are back at) (?:the |your )?(?:marked (?:st|stitch)|(?:stitch )?marker|(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?)", "around"),
+    (r"(?:do not|don't) (?:sl st|slip stitch|ss) (?:to|in|into) (?:the )?(?:beg|beginning|first|1st)(?: (?:st|stitch|sc))?", "do not join"),
+    (r"((?:magic ring|magic circle) and work) (\d+ (?:single crochets?|sc)) in it", "{1} {2} in ring"),
+    (r"- note : pm (?:on|in) (?:the )?(?:1st|first) (?:sc|st|stitch)", "marker"),
+    (r"(?:start|begin) with either (?:\S+ ){3,14}?or (?:a |an |the )?(?:mc|mr|magic ring|magic circle|magic loop)", "magic ring"),
+    (r"(in|into) (?:the )?(?:mc|mr|magic ring|magic circle) or (?:the )?ring", "{1} ring"),
+    (r"(back|front) loops? only for (?:this|the) (?:round|rnd|row)(?: :| ,)?(?= (?:\d+ |\( |\[ |\* )?(?:sc|hdc|dc|inc|dec))", "in {1} loops only ,"),
+    (r"\* (?:for )?\d+ (?:rounds?|rnds?|rows?) \*(?= \d| sc| \()", ""),  # "7-10. *4 rows* 36 sc": the numbers of the rounds say it
+    (rf"(?:start|begin) (?:with|by) (?:making )?(?:(?:2|two) ({CHAINS})|({CHAINS}) (?:2|two)) ?,? (?:and )?(?:then )?(?:make|work|crochet|put|do )?(?: ?([4-9]|1[0-2]) (sc|dc|single crochets?|double crochets?)) (?:in|into) (?:the )?(?:first|1st|2nd|second) (?:st|stitch|ch|chain)(?: made| from (?:the )?hook)?", "{3} {4} in mr"),
+    (r"close (?:the )?(?:circle|ring) (?:by|with) (?:making |working )?(?:a |an )?(ss|sl st|slst|slip stitch) (?:in|into|to) (?:the )?(?:first|1st) (\w+)", "join with {1} in first {2}"),
+    (rf"(in (?:the )?first (?:{ST}) , (?:\d+ )?\w+) in (?:the )?second ({ST}) (, (?:\d+ )?\w+) in (?:the )?third ({ST})(?! from)", "{1} in next {2} {3} in next {4}"),
+    (rf"(in (?:the )?first (?:{ST}) , (?:\d+ )?\w+) in (?:the )?second ({ST})(?! from)", "{1} in next {2}"),
+    (r"\( (?:you )?should (?:now |still )?(?:have|be left with|be) (\d+) (?:sts?|stitches)(?: by the end of (?:the )?(?:row|round|rnd)(?: \d+)?)?(?: \.)? \)", "( {1} )"),
 )  # fmt: skip
