@@ -122,3 +122,26 @@ def test_steps_that_bear_their_numbers_behind_a_ring_keep_them() -> None:
         "Step 3 ch1, ss all round & join. Fasten off.\n"
     )
     assert [line.number for line in pattern(words).parts[0].lines if line.in_round] == [1, 2, 3]
+
+
+def test_a_round_that_is_called_by_its_yarn_is_worked_in_it() -> None:
+    words = "Ball\n\nBody\nR1: 6 sc in MR (6)\nR2: 6 inc (12)\nR3: white round: 12 sc (12)\nRound 4 (brown round): 12 sc (12)\n"
+    hues = [
+        (line.number, i.numbers)
+        for line in pattern(words).parts[0].lines
+        for i in line.items
+        if isinstance(i, Action) and i.name == "color"
+    ]
+    assert counts(words) == [6, 12, 12, 12] and len({numbers for _, numbers in hues}) == 2
+
+
+def test_loops_that_a_sentence_behind_the_stitches_names_are_worked_into() -> None:
+    words = "Ball\n\nBody\nR1: 6 sc in MR (6)\nR2: 6 inc (12)\nR3: sc around. This round is worked in BLO. (12)\nR4: 12 sc (12)\n"
+    lines = pattern(words).parts[0].lines
+    assert counts(words) == [6, 12, 12, 12]
+    assert [any(isinstance(i, Action) and i.name == "blo" for i in line.items) for line in lines] == [
+        False,
+        False,
+        True,
+        False,
+    ]

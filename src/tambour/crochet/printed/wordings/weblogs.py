@@ -46,7 +46,10 @@ SAID: Final = (
     (r"(?:,|and then|then|and) (?:crochet|work|make) (\d+) (?:chs|chains)(?: very)?(?: tightly| loosely)?", ", ch {1}"),
     # loops
     (rf"(?:work(?:ed|ing)? )?(?:in )?(?:the )?({_LOOPS}) for (?:the |this )?(?:whole|entire|complete|full) {_ROUND}(?: ?[-:,.])?", "in {1} ,"),
+    (rf"(around|across|each (?:{_STITCH})|\d+ (?:{_KIND})) \. (?:this|the) {_ROUND} is worked in (?:the )?({_LOOPS})(?= ?[.(\[]| ?$)", "{1} in {2}"),
     # yarns
+    (rf"(?<=: )({_HUE}) {_ROUND} :", "with {1} ,"),
+    (rf"(?<=\( )({_HUE}) {_ROUND}(?= \))", "{1}"),
     (rf"((?:switch|change|changing|with|in|using|to) (?:{_HUE})) or (?:{_HUE})(?= ?[.,;:]| ?$)", "{1}"),
     # counts
     (r"< (\d+) >(?= ?\.?(?: fasten| cut| join| turn| ?$))", "( {1} )"),
