@@ -71,6 +71,11 @@ _SIDE: Final = r"(?:on|at|to)\s+(?:the\s+|its\s+|his\s+|her\s+)?(?:left|right)(?
 _OWN_EDGES: Final = r"(?:sides?|bottom|base|lower\s+edge|top)"
 _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     (
+        r"\b(?:(?:to|on|at) the )?(?:left and (?:the )?right|right and (?:the )?left)(?: (?:hand )?sides?)? (?:from|of) (?:the )?(?=[a-z])",
+        "one on each side of the ",
+    ),
+    (r"^\W*(?:the )?(\w+(?: \w+)?) we (?:then )?(sew|attach|stitch|glue|pin)\b", r"\2 the \1"),
+    (
         r"\b(?:on |in |to |at )?(?:the )?(?:between|in between) (?:the |its |his |her |their )?shoulders?(?: ?blades)?\b",
         "to the upper back of the body",
     ),

@@ -40,6 +40,11 @@ _COUNTED: Final = re.compile(rf"\b({QUANTITY})\s+(?:(?!of\b)[a-z]+\s+)?$")
 """How many of a part are put there, before its name: "two flowers to the side"."""
 _ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
 """Where "on" may belong to the verb: "sew on the snout"."""
+_ONTO_BASE: Final = re.compile(
+    r"\b(?:sew|attach|glue|stitch|place|fix|set|put|pin)\s+(?:the\s+|your\s+)?(?:finished\s+|whole\s+|complete\s+)?"
+    r"(?:house|cottage|castle|mushroom|toadstool|tree|plant|cactus|toy|figure|snowman|gnome|thing)\s+(?:on\s*)?(?:to|onto|on|in)\b"
+)
+"""What is said of the whole toy that is set on its base: "Sew the house to the back of the lawn"."""
 _ADJACENT: Final = re.compile(
     r"(?:\W*\b(?:the|an?|each|both|all|your|of|two|four|three|one|six|eight|\d+|open|ends?|edges?|tops?|bottom|base|lower|upper|wide|narrow|"
     r"last|first|rnd|round|row|\d(?:st|nd|rd|th)|rounds?|rnds?|stuffed|piece|pieces|completed|finished|sides?|back|front|hind|fore|left|"
@@ -240,6 +245,10 @@ class Heard:
             far = f"{under[2]} below" if under[2] else "just below"
             low = f"{low[: under.start()]}{far} the top of the body{low[under.end() :]}"
             found = mentions(low, self.parts)
+        if (onto := _ONTO_BASE.search(low)) and (base := next((m for m in found if m.start >= onto.end()), None)):
+            if base.copies[0][0].kind == "base" and not any(m.start < onto.end() for m in found):
+                self.puts.append(Put(list(base.copies), None, "", where(""), sentence.span, order))
+                return True
         at = where(low)
         hair = SEWN_HAIR.search(low)
         if hair and not any(p.hair for p in self.parts):

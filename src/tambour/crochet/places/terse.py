@@ -42,7 +42,7 @@ _SIDES: Final = (
     r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
 )
 _AT: Final = re.compile(
-    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
+    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|(?:left|right)(?: and (?:the )?(?:left|right))? (?:from|of|side)|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
 _MANY: Final = re.compile(
     rf"^\s*(?:the\s+)?{QUANTITY}\s+(?:[a-z]+\s+){{0,2}}?(?:on|at|to|onto|around|over|between|along|down|in the middle)\b(?!\s+(?:each|both|either)).*[,;]|^\s*(?:the\s+)?{QUANTITY}\s.*\band\s+(?:the\s+)?(?:{QUANTITY}|rest|others)\b"

@@ -25,6 +25,10 @@ _SEAT: Final = re.compile(
     r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:bottom|base|seat)\b(?! (?:end|of (?:the )?(?:head|leg)))"
 )
 """A body that begins so stands on it, or sits, though it has four legs."""
+_UPWARDS: Final = re.compile(
+    r"\bbottom[- ](?:to[- ])?(?:the )?(?:up|top)\b|\b(?:up )?from (?:the )?(?:bottom|ground|base) up(?:wards?)?\b"
+)
+"""What is worked from its lower end to its upper one."""
 _NECK: Final = 0.7
 """A long neck: the first quarter of a body's rounds stays narrower than this share of the widest."""
 _MEASURED: Final = re.compile(r"(?:^|\n)(?P<of>[^\n.]*)\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
@@ -181,6 +185,8 @@ class Upright(Toy):
         )
         if self.ahead(main):
             return "side"
+        if self._begins(main, _UPWARDS):
+            return "end"
         if any(self.built.graph.part[gap[0]] == part for _, gap in limbs(self.built, self.spots)):
             return "start"  # its last rounds are shared out between two legs
         if any(p.kind == "leg" and "front" in p.where.words and p.where.words & {"upper", "lower"} for p in mine):

@@ -38,6 +38,7 @@ from tambour.crochet.printed.parts.hung import hang_on
 from tambour.crochet.printed.parts.mend import Found, agreed, mended
 from tambour.crochet.printed.parts.naming import nameless_is
 from tambour.crochet.printed.parts.part import Draft
+from tambour.crochet.printed.parts.redyed import spotted
 from tambour.crochet.printed.sheet.notes import Heading, plain_name
 from tambour.crochet.printed.state import Height, plain_height
 from tambour.crochet.printed.tokens import Row, Token
@@ -107,6 +108,7 @@ class Printed(Headed):
             headed(self, draft)
             self.palette.wear(draft.worn)
             draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text, above)
+            draft.lines = spotted(draft.lines)
             above = draft.lines
         sections = tuple(
             one

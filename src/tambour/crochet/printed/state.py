@@ -33,6 +33,7 @@ from tambour.crochet.printed.sheet.pages import pages
 from tambour.crochet.printed.sheet.pasted import pasted
 from tambour.crochet.printed.sheet.points import unlisted
 from tambour.crochet.printed.sheet.recognise import recognised
+from tambour.crochet.printed.sheet.rims import rimmed
 from tambour.crochet.printed.sheet.runs import listed, parted
 from tambour.crochet.printed.sheet.spirals import spirals
 from tambour.crochet.printed.sheet.stepped import stepped
@@ -177,7 +178,7 @@ class State:
             )
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
-            self.rows = changes(self.rows, self.vocabulary, terms)
+            self.rows = changes(rimmed(self.rows, terms.words["round"][0].lower()), self.vocabulary, terms)
             self.rows = tallied(self.rows, self.vocabulary, terms.words["round"][0].lower())
             self.rows = numerals(self.rows, terms.stitches["sc"][0].lower(), terms.words["ring"][0])
         if self.language.code in ("us", "uk"):
@@ -209,6 +210,8 @@ class State:
         self.heading: Heading | None = None
         self.under: Heading | None = None  # the one over a round that goes on with the part before it
         self.mode = ""
+        self.advised = False  # its notes are what is advised when all is made
+        self.advice: list[Span] = []  # lines that advise, and make nothing
         self.below = ""  # what the next line states, by the heading over it
         self.title: tuple[str, Span] | None = None
         self.stated: dict[str, tuple[str, Span]] = {}

@@ -81,6 +81,17 @@ _TOGETHER: Final = re.compile(
     re.IGNORECASE,
 )
 """A line that heads the steps by which parts become a toy: "Let's put him together!", "How to assemble your bear"."""
+_ADVICE: Final = re.compile(
+    r"\W*(?:(?:an?|some|few|more|my|our|useful|helpful|handy|final|extra|general|and|&) )*(?:tips?(?: (?:and|&|\+) tricks)?|hints?|advice|"
+    r"(?:washing(?: and care)?|care|safety)(?: (?:instructions|guide|notes?|tips))?|variations?|copyright(?: notice)?|licen[cs]e|terms of use|about the (?:designer|author|pattern)|thank(?:s| you))\W*",
+    re.IGNORECASE,
+)
+"""A line that heads what is advised when the toy is made: "A few tips"."""
+_ADVISED: Final = re.compile(
+    r"\W*(?:(?:washing|care|laundry)(?: (?:instructions|guide|notes?|tips))?[ \t]*[:–—-]|(?:author|designer|licen[cs]e|copyright|all rights)\b)",
+    re.IGNORECASE,
+)
+"""How a line begins that says of care or of rights, and nothing that is made: "CARE: Sponge clean"."""
 _NEAR: Final = 40  # characters between a heading and another under it
 _PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
 _PLANNED: Final = frozenset(
@@ -118,6 +129,17 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     prefaced(p, row, tokens)
     if forms(p, line, whole) or tallied(p, line, whole):
         return
+    if p.parts and (_ADVISED.match(line) or (_ADVICE.fullmatch(line) and not founds(p, near=2))):
+        if _ADVICE.fullmatch(line):
+            p.mode, p.advised, p.heading = "notes", True, None
+        p.advice.append(whole)
+        p.passed.append(whole)
+        return
+    if p.advised and p.mode == "notes" and not founds(p, near=2):
+        p.advice.append(whole)
+        if heading(text, row, bare(p, tokens)) is None:
+            p.passed.append(whole)
+            return
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     bare_title = p.heading is not None and p.heading.copies_span is None and copies_alone(tokens) is None
     if title and bare_title and tokens[0].word not in OPEN:
@@ -181,7 +203,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     tipped = MODES.get(str(first.value)) == "notes" and any(kind_of(one(t.word)) for t in names[1:])  # "Tip of Nose"
     steps = bool(p.parts) and _TOGETHER.fullmatch(line) is not None
     if steps or (len(names) <= 3 and first.kind == "key" and first.value in MODES and listed and not tipped):
-        p.mode = "assembly" if steps else MODES[str(first.value)]
+        p.mode, p.advised = "assembly" if steps else MODES[str(first.value)], False
         p.below = BELOW.get(str(first.value), "")
         p.heading = None
         p.passed.append(whole)

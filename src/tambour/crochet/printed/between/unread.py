@@ -71,7 +71,7 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     if len(tokens) <= _BRIEF and _MORE.search(p.source.text.text, tokens[0].start, tokens[-1].end):
         return True
     if p.mode == "notes":
-        return stitches and numbers
+        return stitches and numbers and not p.advised
     places = any(t.kind == "key" and t.value in ("next", "around", "skip", "front loops", "back loops") for t in tokens)
     if stitches or numbers or repeats or places or any(t.word in _OTHERWISE for t in tokens):
         return True

@@ -51,6 +51,7 @@ def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: li
     known = (
         [f.span for f in finish]
         + lost
+        + p.advice
         + [q.span for q in (*p.unread, *p.source.problems) if q.span and q.span.end > q.span.start]
     )
     notes = [note for part in pattern.parts for line in part.lines for note in line.notes]

@@ -20,11 +20,11 @@ from tambour.crochet.printed.rounds.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
-_HANGS: Final = frozenset("frill flounce peplum petticoat ruffle hem fringe valance".split())
+_HANGS: Final = frozenset("frill flounce peplum petticoat ruffle hem fringe valance edge edging border grass".split())
 """What hangs from loops besides clothes."""
 _LOOPS: Final = re.compile(
-    r"\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|pick|with|using)\w*\b[^.;]{0,80}?"
-    r"\b(?:(?:front|back|free|unused|unworked|remaining|left|exposed)\s+){1,3}(?:loops?|lps?)\b[^.;]{0,40}?\b(?:round|rnd|rd|r)s?\.?\s*(?P<number>\d+)"
+    r"\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|pick|with|using|fix|fasten|yarn|thread)\w*\b[^.;]{0,80}?"
+    r"\b(?:(?:front|back|free|unused|unworked|remaining|left|exposed|half)\s+){1,3}(?:loops?|lps?)\b[^.;]{0,40}?\b(?:round|rnd|rd|r)s?\.?\s*(?P<number>\d+)"
     r"|\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|with|using)\w*\b[^.;]{0,80}?\b(?:flo|blo|fl|bl)s?\b[^.;]{0,40}?"
     r"\b(?:round|rnd|rd|r)s?\.?\s*(?P<other>\d+)",
     re.IGNORECASE,

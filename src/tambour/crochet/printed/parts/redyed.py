@@ -9,7 +9,7 @@ from itertools import pairwise
 from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.parts.risen import closes
-from tambour.crochet.printed.rounds.items import span_of, works
+from tambour.crochet.printed.rounds.items import flat, span_of, works
 
 
 def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
@@ -34,6 +34,28 @@ def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
         more = replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)
         lines = [*lines[:at], first, dyed, more, *lines[at + 1 :]]
     return lines
+
+
+def spotted(lines: list[Line]) -> list[Line]:
+    """``lines`` whose spots are worked in a yarn of their own and leave the round in that of its ground: "(7 sc red, 1 bobble white) x 6", under
+    red rounds, is followed by red ones where the text names no other."""
+    made = list(lines)
+    now: tuple[int, ...] = ()
+    for k, line in enumerate(lines):
+        dyes = [i for item in line.items for i in flat(item) if isinstance(i, Action) and i.name == "color"]
+        last = line.items[-1] if line.items else None
+        within = isinstance(last, Group) and (last.times or 0) > 1 and dyes[:1] == flat(last)[:1] != []
+        if within and dyes[0].numbers == now != dyes[-1].numbers and not _begins_dyed(lines[k + 1 :]):
+            made[k] = replace(line, items=(*line.items, dyes[0]))
+            continue
+        now = dyes[-1].numbers if dyes else now
+    return made
+
+
+def _begins_dyed(lines: list[Line]) -> bool:
+    """Whether the next line that does anything names its yarn before any stitch."""
+    after = next((one for line in lines for item in line.items for one in flat(item)), None)
+    return isinstance(after, Action) and after.name == "color"
 
 
 def _closed(lines: list[Line], join: Item, number: int) -> list[Line]:

@@ -218,6 +218,8 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
         return True
     if any(t.word != "all" and (t.value == "each" or t.word == "per") for t in words.read(said)):
         return False  # "make 2 each with A, B and C"
+    if said[0].word in words.makes and one(said[-1].word) in name and any(t.word in words.heard.ordinals for t in said):
+        return True  # "TAIL FLUKES - make the first fluke:"
     if _known(said) and made.copies > 1 and piece.mark in (",", "+", "&"):
         return True  # "Legs (2), Body and Head": what the second goes on with
     if _known(said) and not piece.bracketed and piece.mark not in _DOTS:
@@ -248,7 +250,10 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
             *said,
         ]  # "A for Kitty, B for Puppy": one list, of which no yarn heads a part
         return True
-    made.asides.append(said)
+    if piece.mark == "," and made.asides and not _hue(said, words) and not _hue(made.asides[-1], words):
+        made.asides[-1] = [*made.asides[-1], *said]  # "worked flat, in rows"
+    else:
+        made.asides.append(said)
     return bool(_hue(said, words)) or (
         len(said) <= _ASIDE
         and piece.mark not in (".", "/", "|")
@@ -421,9 +426,11 @@ def _plain(made: _Title, words: _Words) -> bool:
         return False
     if any(t.word in words.articles and name[k - 1].word not in _JOINS for k, t in enumerate(name) if k):
         return False  # "top the head"
+    read = words.read(name)
+    shaped = len(read) > 1 and read[0].word == "round" and (made.framed or made.copies > 1)  # "5. ROUND WINDOW (2 pcs)"
     if any(
         t.kind == "stitch" or (t.kind == "key" and t.value not in ("and", "eyes", "side", "other", "face"))
-        for t in words.read(name)
+        for t in read[shaped:]
     ):
         return False
     if kind_of(one(name[words.noun].word)):
