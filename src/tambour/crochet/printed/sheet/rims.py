@@ -14,7 +14,7 @@ _OPEN: Final = ("(", "[", "*")
 
 
 def rimmed(rows: list[Row], called: str) -> list[Row]:
-    """``rows`` with every such line as three: a heading, a sentence, and round 1. called : the word for a round"""
+    """``rows`` with every such line as three: a heading, a sentence, and round 1. called : the word for a round."""
     made: list[Row] = []
     for row in rows:
         tokens = row.tokens
