@@ -245,9 +245,10 @@ class Heard:
             far = f"{under[2]} below" if under[2] else "just below"
             low = f"{low[: under.start()]}{far} the top of the body{low[under.end() :]}"
             found = mentions(low, self.parts)
-        if (onto := _ONTO_BASE.search(low)) and (base := next((m for m in found if m.start >= onto.end()), None)):
-            if base.copies[0][0].kind == "base" and not any(m.start < onto.end() for m in found):
-                self.puts.append(Put(list(base.copies), None, "", where(""), sentence.span, order))
+        if (onto := _ONTO_BASE.search(low)) and found and found[0].start >= onto.end():
+            base = found[0].copies
+            if base[0][0].kind == "base":
+                self.puts.append(Put(list(base), None, "", where(""), sentence.span, order))
                 return True
         at = where(low)
         hair = SEWN_HAIR.search(low)
