@@ -9,7 +9,9 @@ from typing import Final
 from tambour.crochet.printed.tokens import Row, Token
 
 _NAMES: Final = frozenset(("edge", "edging", "border", "trim", "frill", "ruffle"))
-_LOOPS: Final = re.compile(r"\b(?:front|back|free|unused) (?:half )?loops? (?:only )?(?:of|from|in) (?:the )?(?:r|rnd|round) ?\d+$")
+_LOOPS: Final = re.compile(
+    r"\b(?:front|back|free|unused) (?:half )?loops? (?:only )?(?:of|from|in) (?:the )?(?:r|rnd|round) ?\d+$"
+)
 _OPEN: Final = ("(", "[", "*")
 
 
@@ -24,7 +26,11 @@ def rimmed(rows: list[Row], called: str) -> list[Row]:
             made.append(row)
             continue
         at = tokens[end + 1].start
-        head = [Token("word", called, at, at, capital=True), Token("number", "1", at, at, 1), Token("mark", ":", at, at)]
+        head = [
+            Token("word", called, at, at, capital=True),
+            Token("number", "1", at, at, 1),
+            Token("mark", ":", at, at),
+        ]
         made += [
             Row(tokens[:1], tokens[0].start, tokens[0].end, max(row.marked, 1)),
             Row(tokens[2 : end + 1], tokens[2].start, tokens[end].end),
