@@ -67,6 +67,18 @@ BLUSH: Final = re.compile(
     r"\bcolou?r (?:in )?(?:the |his |her |its )?cheeks?\b"
 )
 """Cheeks that are painted."""
+ONTO_BASE: Final = re.compile(
+    r"\b(?:sew|attach|glue|stitch|place|fix|set|put|pin)\s+(?:the\s+|your\s+)?(?:finished\s+|whole\s+|complete\s+)?"
+    r"(?:house|cottage|castle|mushroom|toadstool|tree|plant|cactus|toy|figure|snowman|gnome|thing)\s+(?:on\s*)?(?:to|onto|on|in)\b"
+)
+"""What is said of the whole toy that is set on its base: "Sew the house to the back of the lawn"."""
+ADJACENT: Final = re.compile(
+    r"(?:\W*\b(?:the|an?|each|both|all|your|of|two|four|three|one|six|eight|\d+|open|ends?|edges?|tops?|bottom|base|lower|upper|wide|narrow|"
+    r"last|first|rnd|round|row|\d(?:st|nd|rd|th)|rounds?|rnds?|stuffed|piece|pieces|completed|finished|sides?|back|front|hind|fore|left|"
+    r"right|inner|outer|small|large|big|little|short|long|flat|straight|pair|safety|plastic|on|its|their|other|crocheted|unstuffed|cast|"
+    r"remaining|rem|same|colou?red|felt|up|foundation|ch|chain|opening|closed|rem|corner|second|white|black|pink)\b)*\W*(?:[a-z'’]+\s+)?$"
+)
+"""What may stand between a verb and what is put."""
 
 
 def assembling(text: str, names: list[str]) -> bool:

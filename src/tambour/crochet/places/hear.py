@@ -11,6 +11,7 @@ from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places import face
 from tambour.crochet.places.assembling import (
+    ADJACENT,
     ALL,
     BLUSH,
     BUTTONS,
@@ -20,6 +21,7 @@ from tambour.crochet.places.assembling import (
     EYES,
     IT,
     MEET,
+    ONTO_BASE,
     SAFETY_NOSE,
     SHUT_AT,
     THREAD,
@@ -40,18 +42,6 @@ _COUNTED: Final = re.compile(rf"\b({QUANTITY})\s+(?:(?!of\b)[a-z]+\s+)?$")
 """How many of a part are put there, before its name: "two flowers to the side"."""
 _ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
 """Where "on" may belong to the verb: "sew on the snout"."""
-_ONTO_BASE: Final = re.compile(
-    r"\b(?:sew|attach|glue|stitch|place|fix|set|put|pin)\s+(?:the\s+|your\s+)?(?:finished\s+|whole\s+|complete\s+)?"
-    r"(?:house|cottage|castle|mushroom|toadstool|tree|plant|cactus|toy|figure|snowman|gnome|thing)\s+(?:on\s*)?(?:to|onto|on|in)\b"
-)
-"""What is said of the whole toy that is set on its base: "Sew the house to the back of the lawn"."""
-_ADJACENT: Final = re.compile(
-    r"(?:\W*\b(?:the|an?|each|both|all|your|of|two|four|three|one|six|eight|\d+|open|ends?|edges?|tops?|bottom|base|lower|upper|wide|narrow|"
-    r"last|first|rnd|round|row|\d(?:st|nd|rd|th)|rounds?|rnds?|stuffed|piece|pieces|completed|finished|sides?|back|front|hind|fore|left|"
-    r"right|inner|outer|small|large|big|little|short|long|flat|straight|pair|safety|plastic|on|its|their|other|crocheted|unstuffed|cast|"
-    r"remaining|rem|same|colou?red|felt|up|foundation|ch|chain|opening|closed|rem|corner|second|white|black|pink)\b)*\W*(?:[a-z'’]+\s+)?$"
-)
-"""What may stand between a verb and what is put."""
 _PASSIVE: Final = re.compile(
     r"(?:\b(?:is|are|be|being|get|gets|should be)\s+(?:\w+(?:ed|shut|closed)\s+(?:\w+ly\s+|flat\s+)?(?:,\s*)?(?:and\s+)?(?:then\s+)?)?|[:–—|→-]\s*|^\s*|\beach\s+)$"
 )
@@ -245,7 +235,7 @@ class Heard:
             far = f"{under[2]} below" if under[2] else "just below"
             low = f"{low[: under.start()]}{far} the top of the body{low[under.end() :]}"
             found = mentions(low, self.parts)
-        if (onto := _ONTO_BASE.search(low)) and found and found[0].start >= onto.end():
+        if (onto := ONTO_BASE.search(low)) and found and found[0].start >= onto.end():
             base = found[0].copies
             if base[0][0].kind == "base":
                 self.puts.append(Put(list(base), None, "", where(""), sentence.span, order))
@@ -359,7 +349,7 @@ class Heard:
             # "the last round of the tail to the body": rounds of what is sewn say nothing of where.
             there = where(low[to.start() :])
             at = at if there.rounds is not None and there.rounds == at.rounds else replace(at, rounds=there.rounds)
-        if objects and not _ADJACENT.match(low[verb.end() : objects[0].start]):
+        if objects and not ADJACENT.match(low[verb.end() : objects[0].start]):
             objects = []
         elif (
             not objects and found and found[0].end <= verb.start() and _PASSIVE.search(low[found[0].end : verb.start()])
