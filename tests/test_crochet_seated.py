@@ -363,3 +363,50 @@ def test_eyes_on_patches_in_rows_look_out_whatever_side_of_the_rows_is_out():
         located = placed_features(piece.built, piece.positions, piece.upright)
         eyes = [w for r, w in zip(located.records, located.where) if isinstance(r, Eye)]
         assert len(eyes) == 2 and all(float((w.normals * (w.points - middle)).sum()) > 0.0 for w in eyes)
+
+
+HALVES = """Ape
+
+MUZZLE
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnds 4-6: sc around (18)
+Fasten off.
+
+BACK OF HEAD
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnds 4-6: sc around (18)
+Fasten off. {0}
+
+BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnds 3-8: sc around (12)
+Fasten off. Sew Head to Body.
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Sew Back and Muzzle together.",
+        "Sew Back and Muzzle tog, leaving a gap for stuffing.",
+        "Sew Muzzle and Back tog. Stuff.",
+    ],
+)
+def test_two_pieces_that_are_sewn_tog_are_on_each_other(words: str) -> None:
+    on = {r.part: r.spot.part for r in read_printed(Text(HALVES.format(words), "ape.txt")).finish if hasattr(r, "spot")}
+    assert on.get("BACK OF HEAD") == "MUZZLE" or on.get("MUZZLE") == "BACK OF HEAD"
+
+
+@pytest.mark.parametrize("words", ["", ", centering bangs at front of cap", ", centring the fringe on the front"])
+def test_hair_that_is_turned_to_the_front_is_all_round_all_the_same(words: str) -> None:
+    locks = f"HAIR\n[Ch 6, sc in 2nd ch from hook and in next 4 ch] 12 times. Fasten off. Sew the last stitch to the first. Sew hair to underside of cap edge{words}.\n"
+    cap = BALL.format("CAP", "Fasten off.")
+    head = BALL.format("HEAD", "Fasten off. Stuff.")
+    pattern = read_printed(Text(f"Elf\n\n{head}\n{cap}\n{locks}\nFINISHING\nSew cap to top of head.\n", "elf.txt"))
+    hair = next(r for r in pattern.finish if getattr(r, "part", "") == "HAIR")
+    assert hair.spot.part == "CAP" and hair.spot.stitch is None

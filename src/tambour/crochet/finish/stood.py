@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.graph import StitchGraph
 from tambour.crochet.finish.brims import pushed_back
 from tambour.crochet.finish.fallen import fallen
-from tambour.crochet.finish.limp import lain, limbs
+from tambour.crochet.finish.limp import LEGS, lain, limbs
 from tambour.crochet.finish.poised import TIPS
 from tambour.geometry.motion import fit, turned
 
@@ -21,6 +22,14 @@ if TYPE_CHECKING:
 
 BACKWARDS = -0.6
 """A face that looks away, as a cosine, is turned to who looks at the toy."""
+_FOURS: Final = 4
+"""What goes on so many legs stands on all of them."""
+_LEVELS: Final = math.radians(50.0)
+"""By so much at the most it is turned for that."""
+_DOWN: Final = 0.5
+"""Legs that bear it point downwards, as a cosine,"""
+_LOWEST: Final = 0.12
+"""and nothing of it is lower than their feet by such a share of its height."""
 
 
 def standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
@@ -64,21 +73,53 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
             for p in parts:
                 c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - about, turn) + about + up
         off = x[firm] - middle
-        if pitch := righted(off, looks[piece[on] == k]):
+        level = on_fours(task, x, joined, own)
+        if pitch := righted(off, looks[piece[on] == k]) if level is None else level:
             way = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])
             x[own] = turned(x[own] - middle, way) + middle
             for p in np.unique(task.graph.part[own]):
                 c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, way) + middle
             off = x[firm] - middle
         # With its mirror image a toy tips ahead or back only: what is a little heavier on one side stands all the same.
-        turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
-        x[own] = turned(x[own] - middle, turn) + middle
-        for p in np.unique(task.graph.part[own]):
-            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
+        if level is None:
+            turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
+            x[own] = turned(x[own] - middle, turn) + middle
+            for p in np.unique(task.graph.part[own]):
+                c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
         if limp:
             x = lain(x, own, limbs(task, x, joined, own))
         x = fallen(task, x, joined, own)
     return x, c
+
+
+def on_fours(task: Task, x: Array, joined: Joined, own: Array) -> float | None:
+    """By how many radians a toy with the nodes ``own`` (N,) whose body lies on four legs is turned ahead (or back, below 0) for its front
+    feet to be as low as its hind feet, however heavy its head is; None for one that does not go on four legs."""
+    if task.joining is None:
+        return None
+    hung: dict[int, list[tuple[Array, Array]]] = {}
+    for (f, end), _ in zip(task.joining.steps, joined.seams):
+        span = task.graph.parts[task.joining.spots.parts[f.part]]
+        if LEGS.search(f.part.lower()) and own[span.start]:
+            at, root = x[span.start : span.end], x[end.nodes].mean(0)
+            way = at.mean(0) - root
+            foot = at[int(((at - root) * way).sum(1).argmax())]
+            hung.setdefault(task.joining.spots.parts[f.spot.part], []).append((root, foot))
+    for legs in hung.values():
+        if len(legs) != _FOURS:
+            continue
+        legs.sort(key=lambda leg: float(leg[0][2]))
+        roots, feet = (np.array(each) for each in zip(*legs))
+        (_, rise, far), (_, up, ahead) = (at[2:].mean(0) - at[:2].mean(0) for at in (roots, feet))
+        if far <= abs(rise) or ahead <= 0.0 or abs(turn := math.atan2(up, ahead)) > _LEVELS:
+            continue
+        way = feet - roots
+        down = way[:, 2] * math.sin(turn) - way[:, 1] * math.cos(turn)
+        high, foot = (at[:, 1] * math.cos(turn) - at[:, 2] * math.sin(turn) for at in (x[own], feet))
+        bears = float(foot.mean() - high.min()) < _LOWEST * float(np.ptp(high))
+        if bears and (down > _DOWN * np.sqrt((way**2).sum(1))).all():
+            return float(turn)
+    return None
 
 
 def on_its_feet(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:

@@ -106,6 +106,8 @@ _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         rf"\b(?:along|around|on|at|by)\s+(?:the\s+|its\s+)?(?:{_OWN_EDGES},?\s+and\s+(?:the\s+)?{_OWN_EDGES}|(?:three|3|two|2)\s+(?:of\s+its\s+)?(?:sides|edges))\b(?!\s+of)",
         "",
     ),
+    # how hair is turned that goes all round
+    (r",\s*cent(?:er|r)ing\s+(?:the\s+|its\s+)?(?:bangs|fringe|parting|curls)\b[^.;]*", ""),
     # a round of what is sewn, that is folded first
     (
         r"^\W*(?:fold|roll|turn|flatten)\w*\s+(?:the\s+)?(?:rounds?|rnds?|rows?)\s+\d+\b[^.;]*?\b(?:and|then)\s+(?=(?:sew|attach|stitch|pin)\b)",
