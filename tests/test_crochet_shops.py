@@ -188,7 +188,8 @@ def test_a_tail_of_two_lobes_is_pinched_along_them() -> None:
     spots = spots_in(built)
     record = replace(next(one for one in built.pattern.finish if isinstance(one, Placed)), flat=True)
     end = end_of(built, spots, record)
-    line = spots.layout[end.nodes[len(end.nodes) // 2]] - spots.layout[end.nodes[0]]
+    first, last, half = spots.layout[end.nodes[0]], spots.layout[end.nodes[-1]], len(end.nodes) // 2
+    line = spots.layout[end.nodes[half - 1 : half + 1]].mean(0) - 0.5 * (first + last)
     assert len(end.pinched) and abs(line[0]) > 2.0 * abs(line[2])
 
 

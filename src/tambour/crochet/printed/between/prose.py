@@ -76,7 +76,7 @@ _ALL: Final = r"(?:it|them|him|her|this|everything|all|it all|(?:all )?(?:the |y
 _TOGETHER: Final = re.compile(
     r"[\W\d_]*(?:(?:let['’]?s|how|to|time|now|it['’]?s|the|and|for|of|steps?|final|last|toy) ){0,4}(?:assembl\w*|"
     rf"(?:sewing|putting|joining|piecing|attaching|stitching) (?:[\w'’]+ ){{0,3}}?(?:together|up|pieces|parts|everything)|(?:sew|put|join|piece|stitch) {_ALL}(?: together| up)|"
-    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish)"
+    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish|together(?=\W*$))"
     r"(?: [\w'’]+){0,3}[^\w.]*",
     re.IGNORECASE,
 )

@@ -21,7 +21,10 @@ _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
 _LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
 _NEAR: Final = 300  # characters within which two legs are joined
-_JOINED: Final = re.compile(r"\b(?:join|connect|attach|unite)", re.IGNORECASE)
+_JOINED: Final = re.compile(
+    r"\b(?:join|connect|attach|unite)|\b(?:sc|dc|stitch|sts?|around|along|of)\s+(?:the\s+)?(?:first|1st|other)\s+(?:leg|foot|arm|horn|ear|tail|fluke|head)\b",
+    re.IGNORECASE,
+)
 _MAKE: Final = frozenset("make crochet work repeat".split())
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
