@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-import numpy as np
 from tests.crochet_read import counts, pattern, unread
 
-from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
-from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import UNSEEN, Placed
 from tambour.crochet.language.tree import Pattern
-from tambour.crochet.places.habits import plainly
-from tambour.crochet.places.said import where
 from tambour.crochet.printed.between.assembly import UNPLACED
 
 BALL = "R1: 6sc in MR (6)\nR2: inc*6 (12)\nR3-5: 12sc (12)\n"
@@ -142,64 +135,3 @@ def test_what_is_worked_from_the_bottom_up_stands_on_its_beginning() -> None:
     jar = "Jar\n\nJAR (from the bottom to the top)\n{0}Sew the ears to the top of the jar.\n\nEARS (make 2)\nR1: 6sc in MR (6)\n"
     up = {p.name: p.up for p in pattern(jar.format(TOWER)).parts}
     assert up["JAR"] in (None, "end")
-
-
-WHALE = (
-    "Small whale\n\nBODY\nStart at the nose, with Blue.\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nRnd 3: (1 sc, inc) x 6 [18]\nRnd 4: (2 sc, inc) x 6 [24]\n"
-    "Rnd 5: with Blue, 15 sc; change to Cream, 9 sc [24]\nRnds 6-12: with Blue, 15 sc; with Cream, 9 sc [24]\nContinue with Blue only.\nRnd 13: (2 sc, dec) x 6 [18]\n"
-    "Rnd 14: (1 sc, dec) x 6 [12]\nRnds 15-16: sc around [12]\nFO. Stuff.\n\nTAIL FLUKES - with Blue, make the first fluke:\nRnd 1: 4 sc in MR [4]\n"
-    "Rnd 2: inc x 4 [8]\nRnds 3-4: sc around [8]\nFO. Make the second fluke exactly the same way, but do NOT fasten off.\n"
-    "Rnd 5: ch 2, sc in any st of the first fluke and in the next 7 sts, sc in each of the 2 ch, sc in all 8 sts of the second fluke, sc along the other side of the 2 ch [20]\n"
-    "Rnd 6: (3 sc, dec) x 4 [16]\nRnd 7: (2 sc, dec) x 4 [12]\n\n"
-    "TOGETHER\nSew the flukes to the open end of the body, matching the 12 sts of Rnd 7 to the 12 sts of Rnd 16.\nPut the eyes between Rnds 6 and 7, 12 stitches apart over the top of the head.\n"
-)
-
-
-def bib(found: Pattern) -> tuple[float, float]:
-    """How far to the left and how far ahead the cream stitches of a body lie, of all its stitches about its axis."""
-    spots = spots_in(build(found))
-    color = spots.built.graph.color
-    own = np.flatnonzero((spots.built.graph.part == 0) & (color.min(axis=1) > 190))
-    x = spots.layout[own].mean(0) - spots.layout[spots.built.graph.part == 0].mean(0)
-    return float(x[0]), float(x[2])
-
-
-def test_a_whale_lies_on_its_belly_with_its_flukes_at_its_end() -> None:
-    found = pattern(WHALE)
-    assert [p.name for p in found.parts] == ["BODY", "TAIL FLUKES"]
-    assert found.parts[0].up == "side"
-    left, ahead = bib(found)
-    assert ahead < 0.0 and abs(left) < 0.2 * abs(ahead)  # what was ahead is above when it lies
-    flukes = placed(found)["TAIL FLUKES"].spot
-    assert flukes.stitch is None and flukes.round >= 16.0
-
-
-def test_a_bib_of_what_stands_is_ahead() -> None:
-    words = (
-        WHALE[: WHALE.index("TAIL FLUKES")].replace("Start at the nose, with Blue.", "With Blue.")
-        + "HEAD (Blue)\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nSew the head to the top of the body.\n"
-    )
-    left, ahead = bib(pattern(words))
-    assert ahead > 0.0 and abs(left) < 0.2 * ahead
-
-
-def test_a_tail_of_two_lobes_is_pinched_along_them() -> None:
-    built = build(pattern(WHALE))
-    spots = spots_in(built)
-    record = replace(next(one for one in built.pattern.finish if isinstance(one, Placed)), flat=True)
-    end = end_of(built, spots, record)
-    first, last, half = spots.layout[end.nodes[0]], spots.layout[end.nodes[-1]], len(end.nodes) // 2
-    line = spots.layout[end.nodes[half - 1 : half + 1]].mean(0) - 0.5 * (first + last)
-    assert len(end.pinched) and abs(line[0]) > 2.0 * abs(line[2])
-
-
-def test_how_many_stitches_meet_is_no_place() -> None:
-    assert (
-        where(
-            plainly("sew the tail to the open end of the body, matching the 12 sts of rnd 13 to the 12 sts of rnd 31")
-        ).rounds
-        is None
-    )
-    assert where(plainly("sew the hat to the wall, 30 loops to 30 loops")).stitch is None
-    assert where(plainly("sew the fins to the sides along row 1, across rnds 14-18")).rounds == (14.0, 18.0, False)
-    assert where(plainly("sew the ears to the head between rnds 5 and 9, 8 sts apart")).rounds is not None

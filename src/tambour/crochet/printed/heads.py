@@ -105,7 +105,9 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         elif c.key("round", "row") and c.mark(":", "-", ".", ahead=1) and (c.mark(":", ahead=1) or not c.look(1).glued):  # type: ignore[union-attr]
             row, strong = False, True  # "5 row – (2 sc, inc) * 6"
             c.at += 1
-        elif not c.mark(":", ".", ")", "|") or (c.mark(".") and c.look(1) is not None and c.look(1).glued):  # type: ignore[union-attr]
+        elif not c.mark(":", ".", ")", "|") or (
+            c.mark(".") and c.look(1) is not None and c.look(1).glued and not c.mark(*OPEN, ahead=1)  # type: ignore[union-attr]
+        ):  # "4.(2 sc, inc) x 6" lacks but a blank
             return None
     else:
         return None

@@ -20,6 +20,9 @@ _BY_HAND: Final = frozenset(("stuff", "fasten off", "close", "eyes", "marker"))
 """What hands do between rounds, on a line of its own."""
 _LISTS: Final = ("*", "-", "–", "•", "·", "●", "▪", "+")
 """Signs of the things of a list."""
+_TOLD: Final = 5  # words of a sentence behind an asterisk, more than
+_REMARKS: Final = frozenset(("note", "notes", "tip", "hint", "nb"))
+"""What a bracket begins with that only tells of the round above."""
 _POINTS: Final = frozenset(_LISTS) - {"*", "+"}
 """Those that are no sign of a repeat."""
 
@@ -86,6 +89,12 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return tokens
     if _pointed(p, row) and any(t.kind == "stitch" for t in before):
         return None  # the next point of a list, whose numbers the page drew
+    if first.kind == "mark" and first.word in "([" and len(tokens) > 1 and tokens[1].word in _REMARKS:
+        return None  # "(Note: …)" below a round is no more of it
+    if first.word == "*" and len(tokens) > _TOLD and tokens[1].capital:
+        made = tokens[1].value == "make" and tokens[2].kind == "word"  # "*Make sure …"
+        if made or tokens[1].kind == "word":
+            return None  # "*When I sewed them on …"
     if first.kind == "mark" and first.word in "([{*=":
         hue = p.palette.color(Cursor(tokens), 1) if first.word in "([" else None
         return None if hue is not None and hue[1] == len(tokens) - 2 else tokens  # "(Red)" heads the next rounds
@@ -111,7 +120,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return tokens  # the sentences of a round on lines of their own
     if any(t.kind == "key" and t.value in _BY_HAND for t in tokens[:3]) and not any(t.kind == "stitch" for t in tokens):
         return None  # "R13  15X = 15", and "stuff" or "start to stuff here" below it
-    plain = p.source.text.text[first.start].islower() or first.kind == "number"
+    led = row.start < first.start and p.source.text.text[row.start].isupper()  # "We cut …", "At this stage, switch …"
+    plain = (p.source.text.text[first.start].islower() and not led) or first.kind == "number"
     times = first.value in ("twice", "once") or (
         first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "key" and tokens[1].value == "times"
     )

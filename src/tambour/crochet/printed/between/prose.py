@@ -76,7 +76,7 @@ _ALL: Final = r"(?:it|them|him|her|this|everything|all|it all|(?:all )?(?:the |y
 _TOGETHER: Final = re.compile(
     r"[\W\d_]*(?:(?:let['’]?s|how|to|time|now|it['’]?s|the|and|for|of|steps?|final|last|toy) ){0,4}(?:assembl\w*|"
     rf"(?:sewing|putting|joining|piecing|attaching|stitching) (?:[\w'’]+ ){{0,3}}?(?:together|up|pieces|parts|everything)|(?:sew|put|join|piece|stitch) {_ALL}(?: together| up)|"
-    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish|together(?=\W*$))"
+    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish)"
     r"(?: [\w'’]+){0,3}[^\w.]*",
     re.IGNORECASE,
 )
@@ -142,7 +142,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             return
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     bare_title = p.heading is not None and p.heading.copies_span is None and copies_alone(tokens) is None
-    if title and bare_title and tokens[0].word not in OPEN:
+    if title and bare_title and tokens[0].word not in OPEN and not _yarn_of(p, tokens):
         p.heading = None  # what stands over the whole pattern names no part
     if " as " in line and numbered(p.palette, line) and not any(t.kind == "stitch" for t in tokens):
         for m in _COLOURING.finditer(line):
@@ -265,7 +265,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.mode = "" if found.marked or p.mode == "notes" or alone or under else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
-            pasted = bool(found.name and kind_of(one(found.name.lower().split()[-1]))) and founds(p, near=1)
+            named = bool(found.name and kind_of(one(found.name.lower().split()[-1])))
+            pasted = named and (founds(p, near=1) or (_yarn_below(p) and founds(p, near=2)))
             p.heading = found if found.strong or (pasted and _close(p)) else None  # "Head", and its rounds below
         elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None or _far(p, found):
             p.over = over(p.heading, found) or p.over
@@ -351,6 +352,28 @@ def _hooked(p: State, tokens: list[Token]) -> bool:
             p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))
             return True
     return False
+
+
+def _yarn_of(p: State, tokens: list[Token]) -> bool:
+    """Whether a line right below the name of a part that stands over the text only says its yarn, and its first round follows: "Head", "With
+    white yarn", "Rnd 1: …"."""
+    part = p.heading is not None and kind_of(one(p.heading.name.lower().split()[-1]))
+    return bool(part) and _only_yarn(tokens) and founds(p, near=1)
+
+
+def _yarn_below(p: State) -> bool:
+    """Whether the next line only says a yarn."""
+    below = p.rows[p.row_at + 1].tokens if p.row_at + 1 < len(p.rows) else []
+    return bool(below) and _only_yarn(p.vocabulary.read(below))
+
+
+def _only_yarn(tokens: list[Token]) -> bool:
+    """Whether words name no more than a yarn: "With white yarn", "Begin in dark brown."."""
+    begins = tokens[0].kind == "key" and tokens[0].value in ("with", "in", "begin")
+    return begins and len(tokens) <= _YARN and not any(t.kind in ("stitch", "number") for t in tokens)
+
+
+_YARN: Final = 7  # words of a line that only says a yarn
 
 
 def _close(p: State) -> bool:

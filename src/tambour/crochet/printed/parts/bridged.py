@@ -21,10 +21,7 @@ _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
 _LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
 _NEAR: Final = 300  # characters within which two legs are joined
-_JOINED: Final = re.compile(
-    r"\b(?:join|connect|attach|unite)|\b(?:sc|dc|stitch|sts?|around|along|of)\s+(?:the\s+)?(?:first|1st|other)\s+(?:leg|foot|arm|horn|ear|tail|fluke|head)\b",
-    re.IGNORECASE,
-)
+_JOINED: Final = re.compile(r"\b(?:join|connect|attach|unite)", re.IGNORECASE)
 _MAKE: Final = frozenset("make crochet work repeat".split())
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
@@ -55,6 +52,8 @@ def second_made(p: State, tokens: list[Token]) -> bool:
     rank = next((k for k, t in enumerate(tokens[:4]) if t.value in (2, "other")), len(tokens))
     named = rank + 1 < len(tokens) and (not rank or tokens[rank - 1].word in _MAKE)
     kind = _kind(tokens[rank + 1].word) if named else ""
+    if named and tokens[rank + 1].word == "one" and draft is not None:
+        kind = next((k for w in draft.name.lower().split() if (k := _kind(w)) in _KINDS), "")  # of "Legs and body"
     kept = any(
         (a.value == "not" and b.value in ("fasten off", "cut", "break")) or b.word in ("cut", "break")
         for a, b in pairwise(tokens)

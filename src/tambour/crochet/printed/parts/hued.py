@@ -51,7 +51,7 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
     make = next((k for k, t in enumerate(tokens) if t.value == "make"), None)
     if make is None or not make or any(t.kind == "stitch" for t in tokens):
         return tokens, ()
-    c, at, found, plain = Cursor(tokens), make + 1, list[Hue](), False
+    c, at, found, plain, dealt_out = Cursor(tokens), make + 1, list[Hue](), False, False
     versions = any(t.value == "for" or t.word == "for" for t in tokens)  # "1 with A and 1 with B for Cat" are a pair
     total = tokens[at] if at < len(tokens) and tokens[at].kind == "number" else None
     if total is not None and at + 1 < len(tokens) and tokens[at + 1].word in (":", "-", ",", "("):
@@ -75,6 +75,7 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
         each, after = _each(p, tokens, at, 1)
         if led and len(each) == count > 1 and all(p.palette.name(hue.words) for hue in each):
             found, at = [*found, *each], after  # "make 2 in pink and purple": one of each
+            dealt_out = True
         else:
             found.append(Hue(count, _called(tokens[at : at + shade[1]]), shade[0]))
             at += shade[1]
@@ -85,6 +86,10 @@ def hued(p: State, tokens: list[Token]) -> tuple[list[Token], tuple[Hue, ...]]:
     if pair or len(found) < 2 or not 2 <= many <= _MANY or (total is not None and total.value != many):
         return tokens, ()
     number = replace(tokens[make + 1], word=str(many), value=many)
+    if dealt_out:
+        hint = "say how many of each: (make 1 in pink and 1 in purple); or in which rounds the yarn changes"
+        said = "this can be read as one in each yarn, or as all in both: one in each is made"
+        p.source.doubt(said, hint, Span(tokens[make].start, tokens[-1].end))
     return [*tokens[: make + 1], number, *tokens[at:]], () if plain else tuple(found)
 
 

@@ -391,7 +391,7 @@ class Draft:
     def section(self, source: Source) -> Section:
         """The part, its end closed or open."""
         lines = self._sorted()
-        lines = lines if self.flat else lowered(lines, self.edges, source)
+        lines = lowered(lines, self.edges, source, self.flat)
         most = MOST_AT_TIP if self.shrunk else _CLOSED
         small = self.edge is not None and 2 <= self.edge <= most and self.edge < self.peak
         last = next((line.items for line in reversed(lines) if line.in_round and line.again is None), ())

@@ -15,9 +15,10 @@ _IDLE = ("color", "flo", "blo", "bl")
 _AFTER = (*_IDLE, "ch", "fo")
 
 
-def lowered(lines: list[Line], edges: dict[int, int], source: Source) -> list[Line]:
-    """``lines`` of a part in rounds, with stitches in place of the slip stitches that their counts, or the round above, go over: "hdc in next
-    6 sts, slip st in last 3 sts", worked three times. edges : rounds → stitches after them, slip stitches among them."""
+def lowered(lines: list[Line], edges: dict[int, int], source: Source, flat: bool = False) -> list[Line]:
+    """``lines`` of a part with stitches in place of the slip stitches that their counts, or the round above, go over: "hdc in next 6 sts, slip
+    st in last 3 sts", worked three times; of one that is ``flat`` in rows that are worked again as wide as they are: "sl st 1, sc 14, sl st 1,
+    ch 1, turn" for 24 rows. edges : rounds → stitches after them, slip stitches among them."""
     made = list(lines)
     for k, line in enumerate(lines):
         below = edges.get(line.number - 1) if line.number is not None else None
@@ -31,6 +32,8 @@ def lowered(lines: list[Line], edges: dict[int, int], source: Source) -> list[Li
         whole = after(line.items, below, source.stitches)
         above = next((one for one in lines[k + 1 :] if one.in_round), None)
         if whole is None or _without(line, below, source.stitches) == line.stated is not None:
+            continue
+        if flat and not (line.times > 1 and whole == below):
             continue
         if line.times > 1 or whole == line.stated or (above is not None and _fits(above, whole, source.stitches)):
             low = into_one([(source.stitches["slst"], 1)])

@@ -33,9 +33,14 @@ def _parted(tokens: list[Token]) -> list[list[Token]]:
     """What a line explains, one by one."""
     made: list[list[Token]] = [[]]
     depth = 0
-    for token in tokens:
+    for k, token in enumerate(tokens):
         depth += (token.word in ("(", "[")) - (token.word in (")", "]"))
-        if depth <= 0 and (token.word in _PARTS or (token.word == "/" and not token.glued and len(made[-1]) > 2)):
+        ended = (
+            token.word == "." and k + 2 < len(tokens) and tokens[k + 2].word in _SIGNS
+        )  # "dis – decrease. aum – increase"
+        if depth <= 0 and (
+            ended or token.word in _PARTS or (token.word == "/" and not token.glued and len(made[-1]) > 2)
+        ):
             made.append([])
         else:
             made[-1].append(token)

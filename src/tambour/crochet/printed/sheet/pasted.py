@@ -46,7 +46,23 @@ _FOUNDING: Final = frozenset(("ring", "circle", "loop", "hook"))
 _LETTERED: Final = 3  # lines that begin so
 _ROW_LETTERS: Final = frozenset(("r", "p", "rub", "rubles", "ruble"))
 _SAYING: Final = frozenset(
-    ("base", "marker", "second", "2nd", "/", "total", "turning", "working", "sctog", "complete", "whole", "entire")
+    (
+        "rounds",
+        "rnds",
+        "rows",
+        "base",
+        "marker",
+        "second",
+        "2nd",
+        "/",
+        "total",
+        "turning",
+        "working",
+        "sctog",
+        "complete",
+        "whole",
+        "entire",
+    )
 )
 _TIMES: Final = re.compile(r"[x*×]\d*$")
 """What says how often, behind what is repeated."""
@@ -54,6 +70,7 @@ _LAST: Final = r"(?= ?[(\[=]| ?[.;]?$)"
 _SAYINGS: Final = Sayings(
     (rf"(?<!\S){said}", meant)
     for said, meant in (
+        (r"^(sc|hdc|dc) \( (\d+) \) [-,] (\d+|two|three|four|five|six) (?:rounds|rnds|rows)(?: \.)?$", "{1} around for {3} rounds ( {2} )"),
         (r"with (?:a )?base of (\d+)(?!\S)", ", {1}"),
         (rf"(sc|hdc|dc) (?:to|until|till) (?:the |your )?(?:stitch )?marker(?!\S){_LAST}", "{1} in each st to end"),
         (rf"(\d+) (sc|hdc|dc) in(?:to)? (?:the )?(second|2nd) (?:ch|chain)(?!\S){_LAST}", "{1} {2} in {3} ch from hook"),
@@ -328,10 +345,12 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
     made = list(rows)
     k = 0
     while k < len(rows):
-        if not _bare(rows[k], vocabulary) or not _founds(rows[k], vocabulary):
+        begun = _ringed(rows[k].tokens)
+        if not begun and not (_bare(rows[k], vocabulary) and _founds(rows[k], vocabulary)):
             k += 1
             continue
         run, n, at, far = [(k, 1)], _many(rows[k].tokens), k + 1, 0
+        counted = int(not begun)
         while at < len(rows) and far <= _FAR:
             row = rows[at]
             if not row.tokens:
@@ -350,8 +369,10 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
                 at += 1
                 continue
             bare = _bare(row, vocabulary)
-            if bare and _founds(row, vocabulary):
+            if (bare and _founds(row, vocabulary)) or _ringed(row.tokens):
                 break
+            counted += bare
+            bare = bare or _even(row.tokens)
             if not bare and any(t.word in _AGAIN for t in row.tokens):
                 break  # "Repeat the last round 3 times": what follows goes on from there, by the reader's own count
             if bare:
@@ -364,17 +385,41 @@ def _relisted(text: str, rows: list[Row], vocabulary: Vocabulary, called: str) -
         own = own or all(
             _bears(rows[line].tokens, number - 1) for line, number in run[1:]
         )  # a ring, "Step 1", "Step 2"
-        if len(run) >= _RUN and not own:
+        if len(run) >= _RUN and counted >= _RUN and not own:
             for line, number in run:
                 made[line] = headed(rows[line], number, called)
         k = max(at, k + 1)
     return made
 
 
+_FOR: Final = ("for", "around")
+_STITCHES: Final = frozenset(("st", "sts", "stitch", "stitches", "sc"))
+_RING_ALONE: Final = re.compile(
+    r"(?:make |work )?\d+ (?:sc|hdc|dc) (?:in|into) (?:a |an |the )?(?:magic |adjustable )?(?:ring|circle|loop|mr|mc)(?: \.)?"
+)
+_EVEN: Final = re.compile(
+    r"(?:sc|hdc|dc|inc|dec|(?:1 )?(?:sc|hdc|dc) in each(?: st| stitch)?)(?: around| even| in each(?: st| stitch)?(?: around)?)?"
+    r"(?:(?: for)? \w+ (?:rounds|rnds|rows))?(?: \.)?"
+)
+
+
+def _ringed(tokens: list[Token]) -> bool:
+    """Whether a line is a first round in a ring that says no count: "6 sc in magic ring"."""
+    return len(tokens) < _PLAINLY and _RING_ALONE.fullmatch(" ".join([t.word for t in tokens])) is not None
+
+
+def _even(tokens: list[Token]) -> bool:
+    """Whether a line is a round that says no count and goes all around: "Sc around", "sc around for 3 rounds"."""
+    return 1 < len(tokens) < _PLAINLY and _EVEN.fullmatch(" ".join([t.word for t in tokens])) is not None
+
+
+_PLAINLY: Final = 9  # words of a round of one kind of stitch
+
+
 def _many(tokens: list[Token]) -> int:
     """How many rounds a line is: 2 of "sc around for 2 rounds (9)"."""
     words = [t.word for t in tokens]
-    at = next((k for k, w in enumerate(words[:-2]) if w == "for" and words[k + 2] in ("rounds", "rnds", "rows")), -1)
+    at = next((k for k, w in enumerate(words[:-2]) if w in _FOR and words[k + 2] in ("rounds", "rnds", "rows")), -1)
     said = words[at + 1] if at >= 0 else "one"
     return int(said) if said.isdigit() else NUMBERS.get(said, 1)
 
@@ -402,6 +447,8 @@ def _closes(tokens: list[Token]) -> bool:
         return (inner[1].kind == "number" and inner[0].word in ("(", "[", "{")) or (
             inner[0].kind == "number" and len(tokens) > 4 and tokens[-4].word in ("(", "[", "{")
         )
+    if tokens[-1].word in _STITCHES and tokens[-2].kind == "number" and tokens[-3].word == "-":
+        return len(tokens) > 4 and not tokens[-3].glued  # "*2 sc, inc* three times - 12 sts"
     tokens = tokens[:-1] if tokens[-1].word in _SHORT and tokens[-3].word == "=" else tokens
     return tokens[-1].kind == "number" and tokens[-2].word == "="
 

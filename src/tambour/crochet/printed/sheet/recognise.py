@@ -54,7 +54,7 @@ def recognised(source: Source, rows: list[Row]) -> Language:
         return Language(foreign)
     us = sum(words.get(w, 0) for w in _US) + _pairs(rows, "single", "crochet") + _pairs(rows, "half", "double")
     uk = sum(words.get(w, 0) for w in _UK) + _pairs(rows, "half", "treble") + _pairs(rows, "double", "treble")
-    if not us and not words.get("dc") and _letters(source, rows) >= 3:
+    if not us and not words.get("dc") and _letters(source, rows) >= _FEW:
         return Language("letters")
     if us or not (uk or words.get("dc") or words.get("dctog") or words.get("tr") or _pairs(rows, "double", "crochet")):
         return Language("us")
@@ -86,6 +86,9 @@ def _worked(rows: list[Row], stitches: tuple[str, ...]) -> int:
 
 _SURE: Final = 4
 """So often do rounds name a stitch that the terms a text says have not, before it is not believed."""
+_FEW: Final = 3
+"""Letters that stand for stitches, of a text that is in letters."""
+_SHAPED: Final = frozenset("inc dec incs decs increase decrease".split())
 _ROUNDS: Final = frozenset("r rd rnd rnds round rounds row rows".split())
 _DIGITS: Final = str.maketrans("", "", "0123456789")
 
@@ -109,13 +112,21 @@ def _said(rows: list[Row]) -> Language | None:
             near = tokens[k + 1 : k + 4]
             if token.word == "u" and len(near) >= 2 and near[0].word == "." and near[1].word in ("s", "k"):
                 code, near = ("us" if near[1].word == "s" else "uk"), tokens[k + 3 : k + 6]
-            if not code or token.word == "english":
+            if token.word == "english" and _british(tokens, k):
+                code = "uk"
+            if not code:
                 continue
             about = next((t for t in near[:2] if t.word in _ABOUT), None)
             about = None if near and near[0].kind == "mark" and near[0].word != "-" else about
             if about is not None and not (code == "us" and token.word == "us" and _lower(row, token)):
                 return Language(code, Span(token.start, about.end))
     return None
+
+
+def _british(tokens: list[Token], k: int) -> bool:
+    """Whether "English" means terms, and no language: "(English terms used)", beside none of the US."""
+    terms = k + 1 < len(tokens) and tokens[k + 1].word in ("terms", "terminology")
+    return terms and not any(t.word in ("us", "usa", "american", "u", "in") for t in tokens)
 
 
 def _lower(row: Row, token: Token) -> bool:
@@ -152,11 +163,16 @@ def _own(code: str) -> frozenset[str]:
 def _letters(source: Source, rows: list[Row]) -> int:
     """How many capital letters stand for stitches: ``6X``, ``V``, ``(X, V)``."""
     text = source.text.text
-    return sum(
-        token.word in ("x", "v", "a", "t", "f") and text[token.start].isupper() and _beside(row.tokens, k)
+    found = [
+        (token.word, text[token.start].isupper())
         for row in rows
         for k, token in enumerate(row.tokens)
-    )
+        if token.word in ("x", "v", "a", "t", "f") and _beside(row.tokens, k)
+    ]
+    capitals = sum(capital for _, capital in found)
+    if capitals < _FEW and sum(word == "v" for word, _ in found) > 1 and len(found) > _FEW:
+        return len(found) if not any(t.word in _SHAPED for row in rows for t in row.tokens) else capitals
+    return capitals
 
 
 def _beside(tokens: list[Token], k: int) -> bool:

@@ -9,10 +9,11 @@ from typing import Final
 
 from tambour.crochet.printed.tokens import Row
 from tambour.crochet.printed.wordings.reworded import reworded, word
+from tambour.crochet.printed.wordings.weblogs import HUE
 from tambour.crochet.printed.yarns.shades import shade
 from tambour.crochet.words.sayings import Sayings
 
-_SIGNS: Final = frozenset("sbn stbn stb cтбн cбн zpp psn ka vp".split())
+_SIGNS: Final = frozenset("sbn stbn stb cтбн cбн cbn zpp psn ka vp".split())
 """Words by which such a text is known: the short names of stitches and rings, letter by letter."""
 _FEW: Final = 3  # of them
 _MEANT: Final = {
@@ -21,6 +22,8 @@ _MEANT: Final = {
     "stbn": "sc",
     "cтбн": "sc",
     "cбн": "sc",
+    "cbn": "sc",
+    "cb": "sc",
     "psn": "hdc",
     "addition": "inc",
     "adding": "inc",
@@ -28,6 +31,8 @@ _MEANT: Final = {
     "decreasing": "dec",
 }
 """Words that mean a stitch in such a text alone."""
+_SHAPES: Final = {"p": "inc", "u": "dec", "у": "dec", "п": "inc", "pr": "inc", "ub": "dec"}
+"""Letters that do so right behind a number."""
 _ROW: Final = r"(?:row|round|rnd)"
 _HEAD: Final = r"(?:^|(?<=: )|(?<=\. ))"
 _END: Final = r"(?= ?[.;(\[=]| ?$)"
@@ -35,6 +40,8 @@ _SAYINGS: Final = Sayings(
     (rf"(?<!\S){said}(?!\S)", meant)
     for said, meant in (
         (r"(\d+) (?:in|vp|v \. p) , (\d+ \w+) in (?:the )?(?:second|2nd) (?:from (?:the )?hook (?:loop|link)|(?:loop|link) from (?:the )?hook)", "{2} in mr"),
+        (r"(\d+ (?:sc|sbn)) (?:in |into |a |an |the |bring )*ring amigurumi", "{1} in mr"),
+        (r"(?:knit|crochet|work) (?:behind|for) the back wall", "in blo ,"),
         (r"(?:right|pr|inc) in each (?:loop|link|column)", "inc around"),
         (rf"in each (?:loop|link|column) (?:of )?(\d+) (sc|dc|hdc){_END}", "{1} {2} in each st"),
         (rf"(?<=: )in each (?:loop|link|column){_END}", "2 sc in each st"),
@@ -59,7 +66,7 @@ _ALWAYS: Final = Sayings(
         (r"dec ?1 (?:x|\*) ?(\d+)(?= ?[(\[=.,;]| ?$)", "{1} dec"),
         (r"(\d+ (?:inc|dec)) from (?:sc|dc|hdc)", "{1}"),
         (r"note : (?:pm|place (?:a |the )?(?:stitch )?marker) (?:on|in) (?:the )?(?:1st|first) (?:sc|st|stitch)", ""),
-        (r"^((?:row|round|rnd) \d+ :) (?:(?!sc|hdc|dc|tr|blo|flo|front|back|loops?|post|fp|bp)[a-z]+ ){1,2}(?:row|round|rnd) :", "{1}"),
+        (rf"^((?:row|round|rnd) \d+ :) (?:(?!sc|hdc|dc|tr|blo|flo|front|back|loops?|post|fp|bp|(?:{HUE}) )[a-z]+ ){{1,2}}(?:row|round|rnd) :", "{1}"),
         (r"^(row|round|rnd) \d+ is (the|an?|optional|your|where)", "this {1} is {2}"),
         (r"^(?:necessary|required|needed|used) materials(?: (?:and|&) (?:tools|equipment|supplies))?(?: [:;])?$", "materials :"),
         (r"make (\d+) (inc|dec|increases?|decreases?)(?= ?[=(\[]| ?$)", "{2} {1} sts evenly"),
@@ -99,15 +106,21 @@ def rendered(rows: list[Row]) -> list[Row]:
 def _begun(row: Row) -> Row:
     """A line that only says in which yarn a piece begins: "We start knitting in white:", "Start pink:"."""
     found = _BEGUN.match(" ".join([t.word for t in row.tokens]))
-    if found is None or not (found[1] in ("cc", "mc") or shade(found[1]) is not None):
+    if found is None or not (found[1] in ("cc", "mc", "golden") or shade(found[1]) is not None):
         return row
     end = len(row.tokens) - (row.tokens[-1].word in (":", ".")) - (found[2] is not None)
     hue = row.tokens[end - len(found[1].split()) : end]
+    if found[1] == "golden":
+        hue = [word("gold", hue[0], hue[-1])]  # by itself it is a yarn's, and only shades others
     return replace(row, tokens=[word("with", row.tokens[0], row.tokens[0]), *hue])
 
 
 def _meant(row: Row) -> Row:
     """A line of such a text with its stitches by their English names."""
     tokens = [replace(t, word=_MEANT[t.word]) if t.word in _MEANT else t for t in row.tokens]
+    tokens = [
+        replace(t, word=_SHAPES[t.word]) if k and t.word in _SHAPES and tokens[k - 1].kind == "number" else t
+        for k, t in enumerate(tokens)
+    ]
     tokens = reworded(tokens, _SAYINGS)
     return replace(row, tokens=tokens)

@@ -11,7 +11,7 @@ _LOOPS: Final = r"flo|blo|(?:front|back) loops?(?: only)?"
 _STITCH: Final = "sts?|stitch|stitches|sc|hdc|dc"
 _KIND: Final = "sc|hdc|dc|tr"
 _TALL: Final = "sc|hdc|dc|tr|htr|dtr"
-_HUE: Final = "black|white|cream|ivory|brown|tan|beige|gr[ae]y|red|pink|orange|yellow|gold|green|blue|purple"
+HUE: Final = "black|white|cream|ivory|brown|tan|beige|gr[ae]y|red|pink|orange|yellow|gold|green|blue|purple"
 _COUNTS: Final = (
     r"ch(?:ain)?(?: \.)? \d (?:does not|doesn't|do not|don't) count as (?:a |an )?(?:sts?|stitch|sc|hdc|dc|tr)"
 )
@@ -19,6 +19,36 @@ _WEIGHT: Final = "(?:(?:sport|dk|worsted|aran|bulky|chunky|fingering)(?: weight)
 _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 
 SAID: Final = (
+    # minis
+    *((rf"{post} - (\d+) {kind}", f"{{1}} {post}{kind}") for post in ("bp", "fp") for kind in ("sc", "hdc", "dc")),
+    (r"(fold(?: (?:it|the piece|the \w+|flat|in half))* (?:and|,) (?:then )?)(?:work )?(\d+) (sc|dc) across", "{1} {2} {3} through both layers"),
+    (r"^((?:(?:rnd|round|row|r) ?)?\d+ [:.]) ([^:]*?) (= \d+|\( \d+ \)) (?:into|in|through) (?:the )?(back|front) loops?(?: only)?(?: \.)?$", "{1} in {4} loops only , {2} {3}"),
+    (r", (?:push|fold|hold|move|keep|flip|bend|pull|tuck) (?:the |your |both )?(?:wing|fin|arm|leg|ear|tail|chain|tentacle|petal|flipper)s? (?:down|up|back|forwards?|out of the way|to the (?:front|back|side|inside|outside)|aside|away)(?= ?,)", ""),
+    (r"(in (?:the )?last) loop of (?:the )?(ch|chain)", "{1} {2}"),
+    (r"(?<=: )(?:starting|beginning) (?:in|with) (?:the )?(?:1st|first) (?:sc|st|stitch)(?: of (?:rnd|round|row|r) ?\d+)? ,", ""),
+    (r"(sl st|slst|slip stitch|ss|join) (?:to|into|in) (?:the )?(first|1st) (ch|chain) to (?:create|make|form) (?:a |the )?(?:circle|ring|loop)", "join to form ring"),
+    (r"(\d+ (?:sc|hdc|dc)) (?:in|on|along|over) (?:the )?(first|second|1st|2nd|other) (leg|arm)(?= ?,| ?[.;(\[=]| ?$| \d)", "{1} around {2} {3}"),
+    (r"(?:continue |go on |starting |continuing )?from (?:the )?(?:second|2nd|other|last) (leg|arm) (?:and|,) (?:then )?(?:ch|chain) (\d+)(?= ?\.?$)", "ch {2} , join to first {1}"),
+    (r"^\( (?:note|tip) : \W*(?:inc|dec|sc|hdc|dc|sl st|increase|decrease)\W* (?:=|means) [^()]*\)$", "marker"),
+    (r"^(part|piece|petal|leaf|strand|lock|wing|leg|arm|ear|horn|fin|paw)s? (\d) (?:and|&) \d(?: :)?$", "{1} {2} ( make 2 )"),
+    (r"^(?:we )?(?:knit|crochet|make|work) (?:the )?(?:second|2nd) (one|leg|arm|foot|paw)(?: in)? (?:exactly |just )?(?:the )?(?:same way|same|likewise|similarly) ,? ?(?:only|but|just) (?:(?:the )?(?:thread|yarn) is not cut|(?:we )?(?:do not|don't) (?:cut|break) (?:the )?(?:thread|yarn))(?: (?:and|but) (?:knit|crochet|work|continue|go)(?: on| further| to (?:knit|crochet|work))*)?", "make the second {1} and do not cut the yarn"),
+    (rf"(each (?:{_STITCH})|\d+ (?:{_KIND})|{_KIND}|incs?|decs?|increase|decrease) around (?:the )?(?:circle|ring)(?= ?[.,;(\[=]| ?$)", "{1} around"),
+    (r"(ss|sl st|slst|slip stitch|join with (?:a )?(?:ss|sl st|slst|slip stitch)|join) (?:to|in|into|on) (?:the |your )?(?:(?:first|starting|beginning) )?(ch|chain) ?-? ?([1-4])(?= ?[.,;(\[=]| ?$| and (?:fasten|cut|turn|change)\b)", "{1} to top of {2} {3}"),
+    (r"(?:2|two) sctog", "sc 2 tog"),
+    (r"(?:2|two) dctog", "dc 2 tog"),
+    (r"(?:2|two) hdctog", "hdc 2 tog"),
+    (r"\( (?:remember|remembering|mind)\b[^()]*\)", ""),
+    (r"(change|switch|changing|switching) the (?:colou?r|yarn|thread) (?!to |in |from )[^\W\d]+ (to|into)", "{1} color {2}"),
+    (r"((?:change|switch|changing|switching)[^.;]*) , (?:we (?:will )?)?(?:no longer|don't|do not) (?:use|need) (?:the )?[a-z]+(?: any ?more)?(?= ?\.?$)", "{1}"),
+    (r"(using|with|in|change to|switch to|attach|join) (?:[a-z]+ ){1,4}yarn ,? (?:in )?colou?r (?:no\.? |# )?\d+ \( ([a-z]+(?: [a-z]+)?) \)", "{1} yarn ( {2} )"),
+    (r"(?:fasten|fix) (?:the |your |both |safety |plastic )*(eyes?|noses?)(?= (?:in|on|between|at|to|with|through|here|now|, )| ?[.;]| ?$)", "insert {1}"),
+    (r"(dec|decrease|decreasing) (?:to|until|till) (?:it is |you |it )?(?:clos(?:e|ed)|shut)(?: (?:the |up )?(?:hole|opening|ring|circle|piece|top|bottom))?(?= ?\.?$)", "dec around"),
+    (r"(?<!\S)(\d+)(?: ')? nc(?= ?[(=\[]| ?[.;]?$)", "{1} inc"),
+    (r"(rep|repeat) steps? (\d+(?: - \d+)?)(?= (?:\d+|one|two|three|four|five|six|seven|eight) (?:more )?times?\b| (?:once|twice)\b)", "{1} rounds {2}"),
+    (r"(\d+) (?:vp|ch|air loops?) , (?:starting )?(?:in|into|from|with) (?:the )?(second|2nd|third|3rd) (?:loop|link|ch|chain) from (?:the )?hook(?: [a-z]+){0,2} ,? ?(?:we )?(?:begin|start) (?:to )?(?:knit|crochet|work|knitting|crocheting|working)(?: ?:)?", "ch {1} , from {2} ch from hook"),
+    (rf"({_KIND}) (\d) times (?:in|into) each", "{2} {1} in each"),
+    (r"(?:for|behind|by|over) (?:the )?back of (?:the )?(?:hinge|loop|stitch|wall)s?", "in blo"),
+    (r"^((?:row|round|rnd|r) (?!1 )\d+(?: - \d+)? : [^.;]*?)(?:skip|sk|miss) (?:the )?(?:first|1st) (?:ch|chain|st|stitch)(?: from (?:the )?hook)? ,(?= [^.;]*ch 1 (?:and |, )?turn)", "{1}"),
     # repeats
     (r"repeat(?= [\[(] [^\])*]+ [\])] (?:around|across|to (?:the )?end)(?: ?[.,;(]| ?$))", ""),
     (rf"(dec|decrease|invdec|sc2tog) over (?:the )?(?:first|next|last|following) 2 (?:{_STITCH})", "{1}"),
@@ -48,9 +78,10 @@ SAID: Final = (
     (rf"(?:work(?:ed|ing)? )?(?:in )?(?:the )?({_LOOPS}) for (?:the |this )?(?:whole|entire|complete|full) {_ROUND}(?: ?[-:,.])?", "in {1} ,"),
     (rf"(around|across|each (?:{_STITCH})|\d+ (?:{_KIND})) \. (?:this|the) {_ROUND} is worked in (?:the )?({_LOOPS})(?= ?[.(\[]| ?$)", "{1} in {2}"),
     # yarns
-    (rf"(?<=: )({_HUE}) {_ROUND} :", "with {1} ,"),
-    (rf"(?<=\( )({_HUE}) {_ROUND}(?= \))", "{1}"),
-    (rf"((?:switch|change|changing|with|in|using|to) (?:{_HUE})) or (?:{_HUE})(?= ?[.,;:]| ?$)", "{1}"),
+    (rf"(?<=: )({HUE}) {_ROUND} :", "with {1} ,"),
+    (rf"((?:switch|change|changing|with|in|using|use|to) (?:{HUE})) / (?:{HUE})(?: (?=yarn)|(?= ?[.,;:]| ?$))", "{1}"),
+    (rf"(?<=\( )({HUE}) {_ROUND}(?= \))", "{1}"),
+    (rf"((?:switch|change|changing|with|in|using|to) (?:{HUE})) or (?:{HUE})(?= ?[.,;:]| ?$)", "{1}"),
     # counts
     (r"< (\d+) >(?= ?\.?(?: fasten| cut| join| turn| ?$))", "( {1} )"),
     (r"\( (\d+) / \d+ chs? \)", "( {1} )"),
