@@ -1,11 +1,15 @@
-"""Toys on four legs: whatever their heads weigh, they stand on all four."""
+"""Toys on their legs: whatever their heads weigh they stand on all four, and two are beside each other below a face."""
 
 import numpy as np
+import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
+from tambour.crochet.printed.pattern import read_printed
 
 PONY = """PONY
 
@@ -61,3 +65,44 @@ def test_a_heavy_head_does_not_bring_a_toy_off_its_feet() -> None:
     body = next(p for p in graph.parts if p.name == "BODY")
     along = x[body.end - 8 : body.end].mean(0) - x[body.start : body.start + 8].mean(0)
     assert abs(float(along[1])) < 0.6 * float(np.sqrt((along**2).sum()))
+
+
+HARE = """HARE
+
+Head and Body:
+With A, ch 2.
+1st rnd: 6 sc in 2nd ch from hook. Join. 6 sc.
+2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.
+3rd rnd: Ch 1. *1 sc in next sc. 2 sc in next sc. Rep from * around. Join. 18 sc.
+4th rnd: Ch 1. *1 sc in each of next 2 sc. 2 sc in next sc. Rep from * around. Join. 24 sc.
+5th to 16th rnds: Ch 1. 1 sc in each sc around. Join. Do not fasten off.
+Separate for Legs:
+Right Leg: Next rnd: Ch 1. 1 sc in each of first 2 sc. Ch 2. Skip next 12 sc. 1 sc in each of last 10 sc. Join. 14 sts.
+Next rnd: Ch 1. 1 sc in each of first 2 sc. 1 sc in each of next 2 ch. 1 sc in each sc to end of rnd. Join.
+**Next rnd: Ch 1. (Sc2tog) 7 times. Join. 7 sc.
+Fasten off.**
+Left Leg: Join A with sl st to first skipped sc of {0}.
+1st rnd: Ch 1. 1 sc in same sc as sl st. 1 sc in each of next 11 sc. Ch 2. Join with sl st to first sc.
+2nd rnd: Ch 1. 1 sc in each of next 12 sc. 1 sc in each of next 2 ch. Join.
+Rep from ** to ** as given for Right Leg.
+
+FINISHING
+Embroider two eyes on the head. Stuff.
+"""
+
+
+@pytest.mark.parametrize("named", ["17th rnd", "18th rnd", "Rnd 18"])
+def test_a_leg_goes_on_from_the_round_that_left_its_stitches(named: str) -> None:
+    built = build(read_printed(Text(HARE.format(named), "hare.txt")))
+    spots = Spots(built)
+    shared = next(k for k, r in enumerate(built.rounds) if r.number == 16)
+    on = np.isin(spots.stitches(shared), [*built.graph.anchors.tolist(), *built.sewn.ravel().tolist()])
+    assert on.all()
+
+
+def test_legs_that_a_round_is_shared_out_between_are_at_the_sides_of_a_face() -> None:
+    built = build(read_printed(Text(HARE.format("18th rnd"), "hare.txt")))
+    spots = Spots(built)
+    shared = spots.stitches(next(k for k, r in enumerate(built.rounds) if r.number == 16))
+    left = spots.layout[shared[2:14]].mean(0) - spots.layout[shared].mean(0)
+    assert abs(float(left[0])) > 4.0 * abs(float(left[2]))

@@ -15,7 +15,7 @@ from tambour.core.packed import Packed
 from tambour.crochet.finish.limp import lain, limbs
 from tambour.crochet.finish.stood import at_rest, clad, on_its_feet, standing, upright
 from tambour.crochet.graph.layout import on_axis, rounds
-from tambour.crochet.graph.sided import sided
+from tambour.crochet.graph.sided import sided, turned_by
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
 from tambour.crochet.settle.body import Body, State, build, displacement, volumes
 from tambour.crochet.settle.laid import Sheets, braced, flattened, laid
@@ -123,7 +123,9 @@ def first_positions(task: Task) -> tuple[Array, Array]:
     """First positions by rounds (N, 3), parts apart and each about its own axis, and centroids (C, 3) on the axes."""
     graph = task.graph
     x = rounds(graph, graph.rest / task.width) * task.params.link_distance
-    x = sided(task.joining.spots, x) if task.joining is not None else x
+    if task.joining is not None:
+        spots = task.joining.spots
+        x = turned_by(spots, sided(spots, x), spots.turns)
     made = [on_axis(x, p.start, p.end, int(k)) for p, k in zip(graph.parts, task.used) if k]
     return x, np.concatenate(made) if made else np.zeros((0, 3))
 

@@ -25,7 +25,9 @@ _TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|cor
 TAILS = frozenset(("tail", "schwanz", "queue", "cola", "staart"))
 """What hangs at the back, by the last word of its name."""
 LEAST, MOST = 0.25, 0.75
-"""A limb has such a share of a round that is shared out between two."""
+"""A limb has such a share of a round that is shared out between two,"""
+_SHARED = 16
+"""which has so many stitches or more."""
 
 
 def sided(spots: Spots, x: Array) -> Array:
@@ -70,6 +72,46 @@ def sided(spots: Spots, x: Array) -> Array:
         done.add(spots.parts[name])
         x = _turned(spots, x, spots.parts[name], k, math.atan2(tail[1], tail[0]) + 0.5 * math.pi)
     return x
+
+
+def turns(spots: Spots, x: Array) -> list[tuple[int, int, float]]:
+    """By how many radians every body that is shared out between two legs is turned about the middle of the round that they share, so that
+    they are at its sides where its face is ahead, however its seam has wandered: (part, round, angle). x : (N, 3) first positions."""
+    found = []
+    for part, k, nodes in _forks(spots):
+        way = x[nodes].mean(0) - x[spots.stitches(k)].mean(0)
+        if math.hypot(way[0], way[2]) >= 0.5:
+            angle = math.atan2(way[2], way[0])
+            found.append((part, k, angle - math.pi * round(angle / math.pi)))
+    return found
+
+
+def turned_by(spots: Spots, x: Array, found: list[tuple[int, int, float]]) -> Array:
+    """First positions ``x`` (N, 3) with parts turned so."""
+    for part, k, angle in found:
+        x = _turned(spots, x, part, k, angle)
+    return x
+
+
+def _forks(spots: Spots) -> list[tuple[int, int, Array]]:
+    """Parts one of whose rounds two others go on from, each over some of it: (part, round, the stitches of one of the two)."""
+    graph, found = spots.built.graph, []
+    into = np.repeat(np.arange(len(graph)), np.diff(graph.anchor_offsets))
+    order = np.argsort(graph.anchors, kind="stable")
+    below, above = graph.anchors[order], into[order]
+    rounds = [(k, r) for k, r in enumerate(spots.built.rounds) if not r.aside and not spots.in_rows[r.part]]
+    first = np.array([r.first for _, r in rounds])
+    for k, r in rounds:
+        nodes = spots.stitches(k)
+        if len(nodes) < _SHARED:
+            continue
+        a, b = np.searchsorted(below, (r.first, r.last + 1))
+        on = np.searchsorted(first, above[a:b], side="right") - 1
+        worked = {int(j): np.intersect1d(below[a:b][on == j], nodes) for j in np.unique(on)}
+        shares = [own for own in worked.values() if LEAST <= len(own) / len(nodes) <= MOST]
+        if len(shares) == 2 and not len(np.intersect1d(*shares)):
+            found.append((r.part, k, shares[1]))
+    return found
 
 
 def _pillows(spots: Spots, x: Array) -> list[int]:

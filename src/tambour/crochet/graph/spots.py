@@ -86,6 +86,20 @@ class Spots:
     def layout(self) -> Array:
         """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself. Of a printed toy
         as their seams will run: what hands sew is put where it looks right, however a seam has wandered."""
+        from tambour.crochet.graph.sided import turned_by
+
+        return turned_by(self, self._wandered, self.turns)
+
+    @cached_property
+    def turns(self) -> list[tuple[int, int, float]]:
+        """How parts of a printed toy are turned so that the legs that they are shared out between are at their sides."""
+        from tambour.crochet.graph.sided import turns
+
+        return turns(self, self._wandered) if self.built.pattern.terms else []
+
+    @cached_property
+    def _wandered(self) -> Array:
+        """Where rounds were laid out (N, 3), of a printed toy as their seams wander."""
         from tambour.crochet.graph.layout import rounds
         from tambour.crochet.graph.sided import sided
 

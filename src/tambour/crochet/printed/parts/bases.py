@@ -212,6 +212,9 @@ def elsewhere(
     owner = draft if draft.begun() else p.parts[-2] if len(p.parts) > 1 and not place.words else draft
     # A limb with a heading of its own is a part of its own, which is sewn to what was skipped.
     limb = _limb(draft.name if not draft.begun() else p.under.name if p.under is not None else "")
+    left = _skipped(owner, place.number, place, p.source.stitches) if place.number and owner.begun() else None
+    if left is not None and left[0] != place.number:
+        limb = False  # a slip: the round that is named leaves none, and the limb goes on from the one that does
     back = back_to(owner, place, None if limb else p.source.stitches) if owner.begun() and read.refers is None else None
     if back is not None:
         goto, edge, (ahead, behind) = back
