@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from crochet_sewn import placed
+from crochet_sewn import laid, placed
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.features import placed as placed_features
@@ -410,3 +410,40 @@ def test_hair_that_is_turned_to_the_front_is_all_round_all_the_same(words: str) 
     pattern = read_printed(Text(f"Elf\n\n{head}\n{cap}\n{locks}\nFINISHING\nSew cap to top of head.\n", "elf.txt"))
     hair = next(r for r in pattern.finish if getattr(r, "part", "") == "HAIR")
     assert hair.spot.part == "CAP" and hair.spot.stitch is None
+
+
+MONSTER = """Monster
+
+BODY
+Rnd 1: 6 hdc in MR (6)
+Rnd 2: 2 hdc in each st (12)
+Rnd 3: (hdc, 2 hdc in next st) x 6 (18)
+Rnds 4-10: hdc around (18)
+Fasten off.
+
+{0}
+Rnd 1: 6 hdc in MR (6)
+Rnd 2: 2 hdc in each st (12)
+Rnd 3: (hdc, 2 hdc in next st) x 6 (18)
+Fasten off. Sew to the body, stuffing before you close the seam.
+
+FINISHING
+{1}
+"""
+
+
+def test_what_a_base_closes_stands_on_it() -> None:
+    built, _, x = laid(read_printed(Text(MONSTER.format("BASE", "Embroider two eyes."), "monster.txt")))
+    body = next(p for p in built.graph.parts if p.name == "BODY")
+    assert x[body.start, 1] > x[body.end - 1, 1]
+
+
+@pytest.mark.parametrize(
+    "words", ["Cut out facial features from felt and glue them on.", "With black yarn, embroider the features."]
+)
+def test_a_face_without_a_word_of_what_is_in_it_has_eyes_and_a_mouth(words: str) -> None:
+    pattern = read_printed(Text(MONSTER.format("BASE", words), "monster.txt"))
+    drawn = [r.motif.split()[-1] for r in pattern.finish if isinstance(r, Embroidery)]
+    assert drawn.count("eyes") == 2 and "smile" in drawn
+    plain = read_printed(Text(MONSTER.format("BASE", "Weave in all ends."), "monster.txt"))
+    assert not [r for r in plain.finish if isinstance(r, Embroidery)]

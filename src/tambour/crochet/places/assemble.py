@@ -38,6 +38,12 @@ _LISTED: Final = rf"{_BOUGHT}|\beyes?:|\bbeads? for (?:the )?eyes"
 """Eyes that the materials list, and words that name some."""
 _OTHER_SIDE: Final = re.compile(r"\b(?:opposite|other) side\b")
 _NO_GUESS: Final = Where(shown=True)
+_FEATURES: Final = re.compile(
+    r"\bfacial features\b|\bfaces? (?:is|are) made\b|\b(?:embroider|sew|glue|draw)\w* (?:the |its |all )?features\b"
+)
+"""A face is made without a word of what is in it:"""
+_FACE: Final = ("eyes", "smile")
+"""so much of it every face has."""
 FLAT: Final = frozenset(
     "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
 )
@@ -174,6 +180,7 @@ class Assembly(Hosts):
             return self.made
         if usual:
             self._guess_parts()
+            self._featured()
         if usual and (self.heard.puts or self.heard.features):
             self._stand_up()
         put = Facer(self)
@@ -217,6 +224,16 @@ class Assembly(Hosts):
             self.made.apart = [name for name in self.made.apart if name not in on]
             self.made.guessed += [(name, f"{name} worn on {host.split('.')[0]}") for name, host in on.items()]
         return self.made
+
+    def _featured(self) -> None:
+        """A face that the text has one make without a word of what is in it, "cut out facial features from felt", which is told."""
+        faced = any({"eye", "muzzle", "nose", "beak", "face"} & {*p.kinds} for p in self.parts)
+        if faced or self.heard.features or not _FEATURES.search(self.text):
+            return
+        self.made.guessed.append(("face", f"a face on {self.bearer.name}"))
+        self.heard.features += [
+            Feature(what, None, "", _NO_GUESS, Span(0, 0), 10_000, None, what, True) for what in _FACE
+        ]
 
     def _fill(self, waiting: list[Put]) -> None:
         """Which parts are made to be flat: those that such parts are, and discs; where the text does not say it."""

@@ -48,6 +48,8 @@ _MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
 _EGG: Final = (0.45, 0.55, 0.75)
 """A head that is an egg has so many rounds to a stitch of its widest, which is no earlier than this share of them; at a quarter of
 them it has no more than this share of its stitches."""
+_BASES: Final = frozenset(("base", "bottom", "boden", "fondo", "fond", "bodem"))
+"""What such a piece stands on is called so."""
 _BELOW: Final = re.compile(r"\b(?:lower|bottom)\s+(?:edge|edging|end|opening)s?\b")
 """What the last round of a piece is called that is worked downwards, where it is closed."""
 _RING: Final = 8
@@ -210,6 +212,8 @@ class Upright(Toy):
             return "start"
         if head not in (None, main) and self._begins(main, _SEAT):
             return "end"
+        if head in (None, main) and self._based(main, part):
+            return "start"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
@@ -248,6 +252,14 @@ class Upright(Toy):
             if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
             else "end"
         )
+
+    def _based(self, main: Made, part: int) -> bool:
+        """Whether a base closes the open end of a piece that is closed where it begins: it stands on that."""
+        wide = self.open(f"{main.name}.1")
+        if not wide or self.spots.in_rows[part] or len(self.spots.begun(part)):
+            return False
+        bases = [p for p in self.parts if p.single and p != main and p.words and p.words[-1] in _BASES]
+        return any(abs(self.open(p.copy(1)) - wide) <= _RIM_OFF for p in bases)
 
     def _pear(self, part: int, counts: list[int]) -> bool:
         """Whether a closed piece that is head and body in one is narrower where it begins: it sits on its broad end."""
