@@ -318,3 +318,30 @@ def test_copies_in_two_yarns_are_told_as_a_doubt() -> None:
     )
     assert [p.name for p in found.parts] == ["Head", "white Arms", "pink Arms"]
     assert any("one in each yarn" in p.message for p in found.warnings)
+
+
+def test_a_count_with_a_sign_may_stand_before_how_many_rows_there_are() -> None:
+    words = "NOSE\n1: 6 Sc in Magic ring = (6)\n2: 6 Inc = (12)\n3-4: 12 Sc = (12) – 2 rows\n5: 12 sc\nFold the edges and knit together 6 Sc.\n"
+    assert counts(words) == [6, 12, 12, 12, 12, 6]
+
+
+def test_a_translators_chain_is_connected_and_rotated() -> None:
+    words = "CROWN\n1: 30 Ch connect into a ring, 30 Sc\n2: 30 Sc, 1 Ch, rotation\n3: 30 sc\n"
+    assert counts(words) == [30, 30, 30]
+
+
+def test_a_round_told_by_its_loops_ends_in_a_slip_stitch() -> None:
+    words = "Gnome\n1. Make a MR and work 6 sc in the ring (6)\n2. Work 2 sc in each st all the way round (12)\n3. This round is worked in the blo, no increases. Finish with 1 ss. (12)\n4. Work sc in the round (12)\n"
+    assert counts(words) == [6, 12, 12, 12]
+
+
+def test_what_a_bracket_has_hands_push_aside_heads_no_part() -> None:
+    words = "Puppet\nRound 1: 5 sc in MR (5)\nRound 2: Inc in each stitch (10)\nRound 3-4: sc in each stitch (on round 3, push the arm to the right side so that you see).\nRound 5: sc in each stitch (10)\n"
+    assert counts(words) == [5, 10, 10, 10, 10]
+
+
+def test_examples_of_a_yarn_change_none() -> None:
+    found = pattern(
+        "For the body (in a plain color like grey, brown, green):\nRow 1: SC 6 into a magic circle(6)\nRow 2: 6 inc (12)\n"
+    )
+    assert len(_dyed(found)) < 2

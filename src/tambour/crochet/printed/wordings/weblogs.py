@@ -20,6 +20,13 @@ _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 
 SAID: Final = (
     # minis
+    (r"= (\( \d+ \))(?: - \d+ (?:rows|rounds|rnds))?(?= ?\.?$)", "{1}"),
+    (r"(\d+) (?:ch|vp|air loops?) ,? ?(?:connect|connected|close|closed|join|joined)(?: (?:it|them))? (?:in|into|to) (?:a |the )?(?:ring|circle)", "ch {1} , join"),
+    (r"(?<=, )(?:rotation|rotate)(?= ?[.,;=(]| ?$)", "turn"),
+    (r"fold (?:the )?edges?(?: in half)? and (?:knit|crochet|work)(?: them)? together (\d+) (sc|dc)", "fold in half and {1} {2} through both layers"),
+    (r"(?<=[:.] )(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only) , (?:with )?(?:no|without) (?:increas|decreas)(?:es|ing)(?: or decreas(?:es|ing))?(?: \. (?:finish|end|close) with (?:1|a|one) (ss|sl st|slst|slip stitch))?(?: \.)?(?= [(\[=]| ?$)", "in {1} , sc around , {2}"),
+    (r"\( (?:(?:on|in) (?:round|rnd|row) \d+ , )?(?:push|keep|hold|move|fold|bend) (?:the |your |both )?[^()\d]*\)", ""),
+    (r"\( (?:in|with|using) (?:a|an|any) (?:[a-z]+ ,? ?){0,3}colou?r (?:like|such as|for example)[^()]*\)", ""),
     *((rf"{post} - (\d+) {kind}", f"{{1}} {post}{kind}") for post in ("bp", "fp") for kind in ("sc", "hdc", "dc")),
     (r"(fold(?: (?:it|the piece|the \w+|flat|in half))* (?:and|,) (?:then )?)(?:work )?(\d+) (sc|dc) across", "{1} {2} {3} through both layers"),
     (r"^((?:(?:rnd|round|row|r) ?)?\d+ [:.]) ([^:]*?) (= \d+|\( \d+ \)) (?:into|in|through) (?:the )?(back|front) loops?(?: only)?(?: \.)?$", "{1} in {4} loops only , {2} {3}"),
