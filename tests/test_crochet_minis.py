@@ -345,3 +345,11 @@ def test_examples_of_a_yarn_change_none() -> None:
         "For the body (in a plain color like grey, brown, green):\nRow 1: SC 6 into a magic circle(6)\nRow 2: 6 inc (12)\n"
     )
     assert len(_dyed(found)) < 2
+
+
+@pytest.mark.parametrize("way", ["knit in a spiral.", "crochet in rounds", "knit in a spiral, we stuff up to half."])
+def test_a_yarn_is_said_with_how_it_is_worked(way: str) -> None:
+    found = pattern(
+        f"Nose\nBeige yarn, {way}\n1: 6 sc in magic ring\n2: 6 inc (12)\nEars x2\nGray yarn, {way}\n1: 8 sc in magic ring\n2: 8 sc\n"
+    )
+    assert [len(_dyed(found, k)) for k in (0, 1)] == [1, 1]

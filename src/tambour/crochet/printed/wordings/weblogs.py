@@ -20,6 +20,7 @@ _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 
 SAID: Final = (
     # minis
+    (r"^([a-z]+(?: [a-z]+)?) yarn , (?:knit|knitting|crochet|work|worked) (?:it )?in (?:a |the )?(?:spiral|rounds?|circle|(?:swivel |turning )?rows)(?: ,[^.:]*)?(?: [.:])?$", "with {1} yarn"),
     (r"= (\( \d+ \))(?: - \d+ (?:rows|rounds|rnds))?(?= ?\.?$)", "{1}"),
     (r"(\d+) (?:ch|vp|air loops?) ,? ?(?:connect|connected|close|closed|join|joined)(?: (?:it|them))? (?:in|into|to) (?:a |the )?(?:ring|circle)", "ch {1} , join"),
     (r"(?<=, )(?:rotation|rotate)(?= ?[.,;=(]| ?$)", "turn"),
