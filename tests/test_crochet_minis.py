@@ -353,3 +353,18 @@ def test_a_yarn_is_said_with_how_it_is_worked(way: str) -> None:
         f"Nose\nBeige yarn, {way}\n1: 6 sc in magic ring\n2: 6 inc (12)\nEars x2\nGray yarn, {way}\n1: 8 sc in magic ring\n2: 8 sc\n"
     )
     assert [len(_dyed(found, k)) for k in (0, 1)] == [1, 1]
+
+
+def test_one_stitch_then_another_is_a_list() -> None:
+    words = "Stem\n1) magic ring with 6sc (6)\n2) 2sc in each st (12)\n3) 1sc then 2sc in next st (18)\n4) 1sc in next 2st then 2sc in next st (24)\n5-6) 1sc in each st (24)\n7) 1sc in next 2st then 2tog (18)\n"
+    assert counts(words) == [6, 12, 18, 24, 24, 24, 18]
+
+
+def test_all_of_a_round_between_asterisks_goes_around() -> None:
+    words = "HAT\nRnd 1: 3 sc in a magic circle\nRnd 2: *inc*\nRnd 3: *sc in next st, inc*\nRnd 4: sc in each of next 9 sts\nRnd 5: *sc in each of next 2 sts, inc*\n"
+    assert counts(words) == [3, 6, 9, 9, 12]
+
+
+def test_a_gap_is_closed_with_stitches_through_both_layers() -> None:
+    ((_, _, made),) = _made("ARMS (make 2)\nR1: 6 sc inside of magic ring.\nR2: 6 sc\nClose gap with 3 sc.\n")
+    assert made[-1] == 3

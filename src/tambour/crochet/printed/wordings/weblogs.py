@@ -20,6 +20,10 @@ _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 
 SAID: Final = (
     # minis
+    (rf"(\d+ (?:{_KIND})(?: in (?:the )?next(?: \d+)? (?:sts?|stitch|stitches))?) then(?= \d+ (?:{_KIND}) in )", "{1} ,"),
+    (rf"(\d+ (?:{_KIND})(?: in (?:the )?next(?: \d+)? (?:sts?|stitch|stitches))?) then 2 ?tog(?= ?[(\[=.]| ?$)", "{1} , dec"),
+    (r"^((?:(?:rnd|round|row|r) ?)?\d+ [:.)]) \* ([^*=(]+) \*(?: \.)?$", "{1} [ {2} ] around"),
+    (r"close (?:the |your )?(?:gap|opening|end|edge) with (\d+) sc", "fold in half and {1} sc through both layers"),
     (r"^([a-z]+(?: [a-z]+)?) yarn , (?:knit|knitting|crochet|work|worked) (?:it )?in (?:a |the )?(?:spiral|rounds?|circle|(?:swivel |turning )?rows)(?: ,[^.:]*)?(?: [.:])?$", "with {1} yarn"),
     (r"= (\( \d+ \))(?: - \d+ (?:rows|rounds|rnds))?(?= ?\.?$)", "{1}"),
     (r"(\d+) (?:ch|vp|air loops?) ,? ?(?:connect|connected|close|closed|join|joined)(?: (?:it|them))? (?:in|into|to) (?:a |the )?(?:ring|circle)", "ch {1} , join"),
