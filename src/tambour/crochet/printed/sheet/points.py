@@ -38,7 +38,7 @@ def _signed(rows: list[Row]) -> list[Row]:
     if len(found) < _SIGNLESS:
         return rows
     spans = [(rows[k].tokens[0].value, rows[k].tokens[2 if rows[k].tokens[1].word == "-" else 0].value) for k in found]
-    after = sum(begin in (1, last + 1) for (_, last), (begin, _) in pairwise(spans))  # type: ignore[operator]
+    after = sum(begin in (1, last + 1) for (_, last), (begin, _) in pairwise(spans))
     if 2 * after < len(spans) - 1:
         return rows
     made = list(rows)
