@@ -109,7 +109,7 @@ def _forks(spots: Spots) -> list[tuple[int, int, Array]]:
         on = np.searchsorted(first, above[a:b], side="right") - 1
         worked = {int(j): np.intersect1d(below[a:b][on == j], nodes) for j in np.unique(on)}
         shares = [own for own in worked.values() if LEAST <= len(own) / len(nodes) <= MOST]
-        if len(shares) == 2 and not len(np.intersect1d(*shares)):
+        if len(shares) == 2 and not np.isin(shares[0], shares[1]).any():
             found.append((r.part, k, shares[1]))
     return found
 
