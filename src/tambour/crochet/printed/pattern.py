@@ -39,6 +39,7 @@ from tambour.crochet.printed.parts.mend import Found, agreed, mended
 from tambour.crochet.printed.parts.naming import nameless_is
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.parts.redyed import spotted
+from tambour.crochet.printed.parts.resumed import resume
 from tambour.crochet.printed.sheet.notes import Heading, plain_name
 from tambour.crochet.printed.state import Height, plain_height
 from tambour.crochet.printed.tokens import Row, Token
@@ -55,7 +56,6 @@ _WHICH: Final = frozenset("next last each first same rest other".split())
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
 _LAST: Final = dict.fromkeys(("previous", "prev", "preceding"), "last")  # "of previous rnd"
-_HINTED = 20  # errors that suggestions are looked for
 
 
 def read_printed(
@@ -311,7 +311,7 @@ class Printed(Headed):
         if any(t.kind == "key" and t.value == "join" for t in whole[1:3]) and self.parts:
             head = replace(head, numbers=())  # "1st joining rnd" goes on with what is there
         tokens = _counted_off(head, tokens)
-        head = self._part_of(head, tokens, span)
+        head = self._part_of(resume(self, head, span.start), tokens, span)
         draft = self.parts[-1]
         wants = self.ringed is not None and head.numbers[:1] == (1,) and not draft.begun()
         if self.ringed is not None and wants and not any(t.value in ("ring", "hook", "loop") for t in tokens):
