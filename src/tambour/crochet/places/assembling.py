@@ -81,9 +81,17 @@ ADJACENT: Final = re.compile(
 """What may stand between a verb and what is put."""
 
 
+SCULPTED: Final = re.compile(
+    r"\b(?:tightening|tighten|indent\w*|sculpt\w*|indentation)\b[^.;]*\beyes?\b|\beyes?\b[^.;]*\b(?:tightening|indentations?|sculpting)\b"
+)
+"""A thread that draws the eyes into a head, and puts nothing anywhere."""
+
+
 def assembling(text: str, names: list[str]) -> bool:
     """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
     low = text.lower()
+    if SCULPTED.search(low) and re.search(r"\b(?:needle|thread|pull|yarn)\b", low) and where(low).rounds is None:
+        return False
     if len(low) <= 600 and _WOUND.search(low) and face.motifs(low):
         return True
     if len(low) <= 600 and (

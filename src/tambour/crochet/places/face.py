@@ -23,6 +23,7 @@ WORDS: Final[dict[str, str]] = {
     "freckles": r"\bfreckles?\b",
     "smile": r"\b(?:smil\w*|grin)\b",
     "mouth": r"\b(?:mouth|lips?|line|muzzle line)\b",
+    "glints": r"\blines?\b(?=[^.;]*\b(?:below|under|beneath|beside|next to) (?:of )?(?:each|both|every) (?:\w+ )?eyes?\b)",
     "nostrils": r"\bnostrils?\b",
     "nose": r"\b(?:nose|snout)\b",
     "claws": r"\b(?:claws?|toes|paw details?|fingers)\b",
@@ -31,7 +32,9 @@ WORDS: Final[dict[str, str]] = {
     "dots": r"\b(?:dots?|spots?|french knots?|seeds?)\b",
 }
 """What is embroidered → how it is called; the first that fits is meant."""
-PAIRED: Final = frozenset(("whiskers", "lashes", "brows", "cheeks", "freckles", "eyes", "closed eyes", "nostrils"))
+PAIRED: Final = frozenset(
+    ("whiskers", "lashes", "glints", "brows", "cheeks", "freckles", "eyes", "closed eyes", "nostrils")
+)
 PINK: Final[RGB] = (232, 150, 160)
 DARK: Final[RGB] = (40, 30, 26)
 _SEEN: Final = {name: re.compile(words) for name, words in WORDS.items()}
@@ -56,6 +59,8 @@ def motifs(text: str) -> list[str]:
     )
     found = [(m.start(), name) for name, seen in _SEEN.items() if (m := seen.search(plain))]
     names = [name for _, name in sorted(found)]
+    if _SEEN["glints"].search(text) and not re.search(r"\b(?:mouth|lips?|smile)\b", plain):
+        names = ["glints" if name == "mouth" else name for name in names]  # "a white line below each eye" is no mouth
     if "smile" in names and "mouth" in names:
         names.remove("mouth")
     if len(names) > 1 and "cheeks" in names and "cheek" not in plain:
@@ -111,6 +116,8 @@ def strokes(name: str, wide: float) -> list[Stroke]:
         return [_oval(w, 1.25 * w)]
     if name == "cheeks":
         return [_oval(w, 0.6 * w)]
+    if name == "glints":
+        return [_arc(w, 0.3, 5)]
     if name == "brows":
         return [[(-0.5 * w, -0.08 * w), (0.5 * w, 0.16 * w)]]
     if name == "whiskers":
@@ -161,6 +168,7 @@ USUAL: Final[dict[str, float]] = {
     "cheeks": 2.4,
     "whiskers": 4.0,
     "lashes": 1.8,
+    "glints": 1.8,
     "freckles": 1.6,
     "eyes": 1.5,
     "closed eyes": 3.0,

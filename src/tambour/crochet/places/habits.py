@@ -10,7 +10,7 @@ from tambour.crochet.words.numbers import QUANTITY, quantity
 from tambour.crochet.words.sayings import Sayings
 
 ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
-ST: Final = r"(?:stitches|stitch|sts?\.?|sc|dc)"
+ST: Final = r"(?:stitches|stitch|sts?\.?|sc|dc|x(?! ?\d))"
 _R: Final = rf"(?:the\s+)?{ROUND}\s?\.?\s*(\d+)\b"
 _FREE: Final = r"(?:(?:visible|full|whole|free|empty|open|clear|unworked|unused)\s+)?"
 _EDGE: Final = r"(?:\s+(?:edge|end|side|part|rim|point|corner|line)s?)?"
@@ -19,7 +19,7 @@ _MEETS: Final = (
     r"|(?:at|on|along|in|level with|in line with)\s+"
 )
 
-_PLAIN: Final[tuple[tuple[str, str], ...]] = (
+_PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     # rounds that a piece is sewn over
     (
         rf"\b(?:start|begin)\w*\s+(?:\w+\s+)?(?:at|in|on|from|with)\s+{_R},?\s*(?:and\s+)?(?:to\s+)?(?:end|finish|stop)\w*\s+(?:at|in|on|with|by)\s+{_R}",
@@ -37,6 +37,19 @@ _PLAIN: Final[tuple[tuple[str, str], ...]] = (
     (
         rf"\b(?:bottom|lower)\s+(?:edge|end|side|rim)\s+(?:of (?:the )?\w+\s+)?(?:{_MEETS}){_R}",
         r"lower edge on round \1",
+    ),
+    # in a translator's words
+    (rf"\bat (?:the )?(?:same )?(?:height|level) of {_R}\s*(?:and|to|-|–)\s*{_R}", r"over rounds \1 to \2"),
+    (rf"\b({QUANTITY})\s*{ST}\s+(?:of|in)\s+(?:wide|width)\b", r"\1 stitches wide"),
+    (rf"\bwidth(?: of|:| is)?\s+(?:about\s+)?({QUANTITY})\s*{ST}(?!\w)", r"\1 stitches wide"),
+    (r"\b(above|below|under|over|behind|beside) of (?=(?:the|each|both|every|its|his|her)\b)", r"\1 "),
+    (
+        r"\b(?:in|at) (?:the )?(?:exact )?(?:middle|cent(?:er|re)) (?:of|between) (?:the |both |her |his |its )*(?:two )?eyes\b",
+        "between the eyes",
+    ),
+    (
+        rf"\bwith (?:a )?(?:separation|distance|space) of ({QUANTITY})\s*{ST}|\bwith ({QUANTITY})\s*{ST} of (?:separation|distance|space)\b",
+        lambda m: f"{m[1] or m[2]} stitches between",
     ),
     # stitches between two
     (

@@ -258,7 +258,7 @@ class Heard:
         named_eyes = any("eye" in m.copies[0][0].kinds for m in found) and not (glass and _put_eyes(low, glass.start()))
         features = face.motifs(low) if DRAWN.search(low) or SAFETY_NOSE.search(low) or "felt" in low else []
         if features:  # a nose that is embroidered is no muzzle
-            drawn = ("nose", "mouth", "eye", "cheek", "beak")
+            drawn = ("nose", "mouth", "eye", "cheek", "beak", "brow", "eyebrow")
             found = [m for m in found if m.word not in drawn or any(m.word in p.words for p, _ in m.copies)]
         features = [f for f in features if not any(f.rstrip("s") in m.word for m in found)]
         felt = re.search(r"\bfelt\b", low)

@@ -169,7 +169,7 @@ class Made:
     def worn(self) -> bool:
         """Whether it is put on a toy, and not sewn to make it."""
         cuffed = self.words[-1:] == ["cuff"] and len(self.words) > 1 and not self.kinds  # of breeches, not of a cone
-        return self.likely == "worn" or ((cuffed or "worn" in self.kinds) and not self.likely)
+        return self.likely == "worn" or ((cuffed or "worn" in self.kinds) and not self.likely and self.kind != "bow")
 
     @property
     def vessel(self) -> bool:

@@ -11,13 +11,13 @@ from tambour.crochet.places.habits import ROUND, plainly
 from tambour.crochet.words.numbers import QUANTITY, quantity
 
 VERB: Final = re.compile(
-    r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
+    r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|(?<!one )(?<!\d )(?<!a )(?<!diagonal )(?<!each )(?<!every )(?<!next )stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|tie|mount|push|make|create(?= (?:\w+ ){0,2}(?:nostrils?|mouth|nose|smile|eyes|eyebrows?|cheeks?|whiskers)\b)|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st|(?:(?:thread|button)[- ])?joint(?= (?:the|both|each|on)\b)|button(?= (?:the|both|each|on)\b))\b"
+    r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|(?<!bow )(?<!bow-)(?<!neck )tie|mount|push|make|create(?= (?:\w+ ){0,2}(?:nostrils?|mouth|nose|smile|eyes|eyebrows?|cheeks?|whiskers)\b)|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st|(?:(?:thread|button)[- ])?joint(?= (?:the|both|each|on)\b)|button(?= (?:the|both|each|on)\b))\b"
 )
 """Words that put something somewhere."""
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
-_ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
+_ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?|x(?! ?\d))"
 _NO_END: Final = (
     "eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|beak|tail|wings?|brim|last|first|sts?|stitch|rounds?|rnds?|rows?"
 )
@@ -35,6 +35,11 @@ _NUMBER_FIRST: Final = re.compile(
     r"(?! (?:below|above|under|over|apart|from|down|up|high|higher|lower|wide|away|further)\b)"
 )
 """Rounds whose number stands before them, as translators have it: "between 10 and 11 row", "at the level of 13 row"."""
+_RANGE_FIRST: Final = re.compile(
+    r"\b(between|from|on|at|over|along) (?:the )?(?:level of (?:the )?)?(\d+)\s*(-|–|to|and|till|until)\s*(\d+) (?:rows|rounds|rnds)\b"
+    r"(?! (?:below|above|under|over|apart|from|down|up|high|higher|lower|wide|away|further)\b)"
+)
+"""The same of two, "between 10 and 11 rows", "on 20-22 rows": of one it is a number of them, "along 3 rounds"."""
 _APART: Final = re.compile(
     rf"({QUANTITY})(?:\s*(?:-|–|to|or)\s*({QUANTITY}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
     rf"visible between|left between)"
@@ -161,8 +166,9 @@ def where(text: str) -> Where:
     rounds = None
     text = plainly(text)
     text = _NUMBER_FIRST.sub(lambda m: f"{m[1]} row {m[2]}" + (f" {m[3]} {m[4]}" if m[4] else ""), text)
+    text = _RANGE_FIRST.sub(r"\1 rows \2 \3 \4", text)
     text = _DOING.sub("", text)
-    text = re.sub(r"\b(?:on|at) the outsides? of (?:the |each |both )", "beside the ", text)
+    text = re.sub(r"\b(?:on|at|to|towards?) the outsides? of (?:the |each |both )", "beside the ", text)
     text = re.sub(r"\b(?:approx(?:imately)?\.?|about|around(?= \d)|roughly)\s+", "", text)
     both = [m for m in (_ROUNDS.search(text), _ORDINAL.search(text)) if m is not None]
     found = min(both, key=lambda m: m.start(), default=None)
@@ -172,7 +178,7 @@ def where(text: str) -> Where:
     several = _EACH.search(text)
     each = () if several is None else tuple(float(n) for n in (several[1], *re.findall(r"\d+", several[2])))
     ranged = several is not None and re.search(r"\b(?:between|from|over)\s+(?:the\s+)?$", text[: several.start()])
-    each = () if ranged or list(each) != sorted(set(each)) else each
+    each = () if ranged or list(each) != sorted(set(each)) or (len(each) == 2 and each[1] == each[0] + 1) else each
     end = None
     if rounds is None and (far := _FROM_END.search(text)) is not None:
         named = "all" if far[4] == "top" and far[0].endswith("top") else far[4] or far[5]

@@ -54,6 +54,10 @@ _EYES: Final = re.compile(
     re.IGNORECASE,
 )
 
+_BY_EYES: Final = re.compile(
+    r"\b(?:at|in|on|from|near|above|below|beside|under|over) (?:the |each |both |its )*(?:(?:outer|inner) (?:corner|edge|side|end)|eye)"
+)
+"""Where a face's feature is by the eyes."""
 _BARE: Final = re.compile(
     rf"{_NUMBERED}(?P<bare>(?:(?:the|both|two|all|four|five|six|eight|and|finally|next|little|small|big|tiny)\s+)*"
     r"(?P<name>(?:[^\W\d_]+\s+){1,3}?))(?=(?:to|on|onto|at|over|either side|each side|both sides|underneath|under|beneath|behind|"
@@ -129,9 +133,12 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         return at, " place"
     if face.motifs(led["name"]) and not set(words) & known and where(low[at:]).rounds is not None:
         return at, " embroider"  # "Cheeks - pink, R11"
+    if face.motifs(led["name"]) and not set(words) & known and _BY_EYES.search(low[at:]):
+        return at, " embroider"  # "Lashes - 2 stitches with black at the outer corner"
     if led["mark"].strip() != ":" and not _AT.match(low[at:]):
         return None  # "SNOUT - rose"
-    if face.motifs(led["name"]) or words == ["face"]:
+    sewn = set(words) & known and _AT.match(low[at:])  # "Cheeks: at the height of R15", of those that were crocheted
+    if (face.motifs(led["name"]) and not sewn) or words == ["face"]:
         return at, " embroider"
     if _MANY.match(low[at:]) and not _WORKS.search(low[at:]) and any(w in known or kind_of(w) for w in words):
         return at, " sew"

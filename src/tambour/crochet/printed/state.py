@@ -24,6 +24,7 @@ from tambour.crochet.printed.sheet.banners import banners
 from tambour.crochet.printed.sheet.bilingual import first
 from tambour.crochet.printed.sheet.changes import changes
 from tambour.crochet.printed.sheet.columns import columned
+from tambour.crochet.printed.sheet.inlines import inlined
 from tambour.crochet.printed.sheet.leaves import leaves
 from tambour.crochet.printed.sheet.legend import explained
 from tambour.crochet.printed.sheet.lumps import unlumped
@@ -178,7 +179,8 @@ class State:
             )
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
-            self.rows = changes(rimmed(self.rows, terms.words["round"][0].lower()), self.vocabulary, terms)
+            self.rows = rimmed(inlined(self.rows, self.vocabulary), terms.words["round"][0].lower())
+            self.rows = changes(self.rows, self.vocabulary, terms)
             self.rows = tallied(self.rows, self.vocabulary, terms.words["round"][0].lower())
             self.rows = numerals(self.rows, terms.stitches["sc"][0].lower(), terms.words["ring"][0])
         if self.language.code in ("us", "uk"):

@@ -10,6 +10,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.places.assembling import SCULPTED
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.between.stops import starts
 from tambour.crochet.printed.cursor import Refers
@@ -82,7 +83,8 @@ def edging(p: State, tokens: list[Token]) -> bool:
     slipped = tokens[0].value != "join" and any(
         t.value == "slst" and any(u.word in ("across", "along") for u in tokens[k + 1 :]) for k, t in enumerate(tokens)
     )  # "sl st loosely in front loops across handle"
-    if not p.parts or not (stitches or slipped) or not along_edge(tokens):
+    said = p.source.text.text[tokens[0].start : tokens[-1].end].lower()
+    if not p.parts or not (stitches or slipped) or not along_edge(tokens) or SCULPTED.search(said):
         return False
     not_drawn(p, Span(tokens[0].start, tokens[-1].end))
     return True

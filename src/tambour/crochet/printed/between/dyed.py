@@ -17,8 +17,10 @@ def yarns_told(p: State, pattern: Pattern) -> None:
     """Yarns of the list that are meant by another name, and those that nothing is made with."""
     for said, name in p.palette.meant.items():
         begin = min((draft.span.start for draft in p.parts), default=0)
-        place = re.compile(rf"\b{re.escape(said)}\b", re.IGNORECASE).search(p.source.text.text, begin)
-        span = Span(*place.span()) if place is not None else Span(0, 0)
+        place = _alone(p.source.text.text, begin, said, name)
+        if place is None:
+            continue  # it was only looked for in "navy blue"
+        span = Span(*place.span())
         p.source.doubt(f'{MEANT}: "{said}" is {name}', "call it the same in both", span)
     lines = [
         one
@@ -32,6 +34,14 @@ def yarns_told(p: State, pattern: Pattern) -> None:
         if hue not in used:
             hint = "say which rounds are worked in it, or leave it out of the list"
             p.source.doubt(f"nothing that was understood is made with the {name} of this list", hint, span)
+
+
+def _alone(text: str, begin: int, said: str, name: str) -> re.Match[str] | None:
+    """Where ``text`` has a colour for the first time outside the name of its yarn, "blue" outside "navy blue"; None where it never has."""
+    whole, word = (re.sub("gr[ae]y", "gr[ae]y", re.escape(some), flags=re.IGNORECASE) for some in (name, said))
+    names = [m.span() for m in re.finditer(rf"\b{whole}\b", text, re.IGNORECASE)]
+    found = re.compile(rf"\b{word}\b", re.IGNORECASE).finditer(text, begin)
+    return next((m for m in found if not any(a <= m.start() and m.end() <= b for a, b in names)), None)
 
 
 _WORN: Final = re.compile(

@@ -82,7 +82,7 @@ _TOGETHER: Final = re.compile(
 )
 """A line that heads the steps by which parts become a toy: "Let's put him together!", "How to assemble your bear"."""
 _ADVICE: Final = re.compile(
-    r"\W*(?:(?:an?|some|few|more|my|our|useful|helpful|handy|final|extra|general|and|&) )*(?:tips?(?: (?:and|&|\+) tricks)?|hints?|advice|"
+    r"\W*(?:(?:an?|some|few|more|my|our|useful|helpful|handy|final|extra|general|and|&) )*(?:(?:tips?|tricks?|hints?)(?: (?:and|&|\+) (?:tips?|tricks?|hints?))?|advice|"
     r"(?:washing(?: and care)?|care|safety)(?: (?:instructions|guide|notes?|tips))?|variations?|copyright(?: notice)?|licen[cs]e|terms of use|about the (?:designer|author|pattern)|thank(?:s| you))\W*",
     re.IGNORECASE,
 )

@@ -6,6 +6,7 @@ import re
 from itertools import pairwise
 from typing import Final
 
+from tambour.crochet.places.assembling import SCULPTED
 from tambour.crochet.printed.rounds.doings import works
 from tambour.crochet.printed.tokens import Token
 
@@ -26,6 +27,19 @@ _ASIDE: Final = re.compile(
     re.IGNORECASE,
 )
 """What a package says, and that another hook may be right."""
+_COUNTED: Final = re.compile(
+    r"\W*(?:"
+    r"(?:every|each)\s+[a-z]+\s+(?:should\s+|will\s+|must\s+)?(?:has|have|counts|consists\s+of)\s+\d+\s+[a-z]+(?:\s*\([^()]*\))?"
+    r"|(?:the|these|those|all)\b[^.;:]*\b(?:makes?|gives?)\s+(?:a\s+total\s+of\s+)?\d+(?:\s+[a-z]+)?(?:\s*,\s*so\b[^.;:]*)?"
+    r"|[^.;:]*\bmakes?\s+\d+(?:\s+[a-z]+)?\s*,\s*so\b[^.;:]*"
+    r"|(?:now\s+)?(?:there|you|we|it)\s+(?:(?:should|must|will|shall)\s+)?(?:now\s+)?(?:be|have|has|are)\s+(?:exactly\s+)?\d+\s+(?:sts|stitches|sc|loops|x)"
+    r"(?:\s+(?:in\s+total|left|around|in\s+the\s+round))?"
+    r"|if\s+(?:necessary|needed|required)\s*,?\s+(?:you\s+can\s+)?(?:work|knit|crochet|make|undo|unravel|add)\b[^.;:]*\b(?:several|a\s+few|few|some|extra|more)\s+(?:sts|stitches|sc|loops|x)"
+    r")\W*",
+    re.IGNORECASE,
+)
+"""What counts what is there already, "Each arm has 20 sc (12 + 8)", "There must be 24 stitches", and what shifts the beginning of a round where it has
+wandered, "if necessary, crochet or undo a few stitches"."""
 _MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))
 
 
@@ -33,7 +47,9 @@ def remark(text: str, tokens: list[Token]) -> bool:
     """Whether a sentence that no reading understands instructs nothing: a page's foot, what a toy is like, a step's number, what comes
     of the work. Whatever names stitches to work, or rounds to repeat, is none."""
     said = text[tokens[0].start : tokens[-1].end]
-    if _foot(said, tokens) or _TIP.search(said) or _ASIDE.fullmatch(said):
+    if _foot(said, tokens) or _TIP.search(said) or _ASIDE.fullmatch(said) or _COUNTED.fullmatch(said):
+        return True
+    if SCULPTED.search(said.lower()):
         return True
     if len(tokens) == 1 and tokens[0].kind == "number" and isinstance(tokens[0].value, int) and tokens[0].value <= 30:
         return text[tokens[0].end : tokens[0].end + 1] in (".", ")", "\n", "") and _begins_line(text, tokens[0].start)

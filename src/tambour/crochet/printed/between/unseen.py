@@ -20,6 +20,11 @@ _ON: Final = re.compile(
     re.IGNORECASE,
 )
 """What is done with that of which the sentence before said where it goes: "Pin the ears to the head. Sew them on."."""
+_OVER: Final = re.compile(
+    r"\W*(?:attach|connect) (?:it )?(?:to |with )?(?:the )?(?:first|1st|second|2nd|other) (?:leg|foot)\W*",
+    re.IGNORECASE,
+)
+"""What stands beside a round that goes on over two legs, and is done by it."""
 _PARTED: Final = re.compile(r"\band\b|[,:]")
 
 
@@ -68,6 +73,7 @@ def unseen_told(p: State, pattern: Pattern, finish: tuple[Finish, ...], lost: li
                 begin in told
                 or any(s.start < m.end() and begin < s.end for s in known)
                 or _ON.fullmatch(m[0])
+                or (span in notes and _OVER.fullmatch(m[0]))
                 or (worn & set(re.findall(r"[^\W\d_]+", m[0].lower())) and span not in said)
                 or not shows(m[0], code, span in said)
             ):

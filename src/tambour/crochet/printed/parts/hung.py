@@ -11,22 +11,26 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.language.tree import Action, Line
-from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.parts.bases import foundation
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.rounds.doubts import tried
 from tambour.crochet.printed.rounds.reader import Body
+from tambour.crochet.printed.sheet.rims import hanging
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
-_HANGS: Final = frozenset("frill flounce peplum petticoat ruffle hem fringe valance edge edging border grass".split())
-"""What hangs from loops besides clothes."""
+_NUMBER: Final = (
+    r"(?:(?:round|rnd|rd|row|r)s?\.?\s*(?P<number{0}>\d+)|(?P<nth{0}>\d+)(?:st|nd|rd|th)\s+(?:round|rnd|row)\b)"
+)
+_KIND: Final = r"(?:half[- ]?)?(?:loops?|lps?|walls?|strands?|threads?|halves)"
+_SIDE: Final = r"\b(?:(?:front|back|free|unused|unworked|remaining|left|exposed|half)\s+){1,3}"
 _LOOPS: Final = re.compile(
     r"\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|pick|with|using|fix|fasten|yarn|thread)\w*\b[^.;]{0,80}?"
-    r"\b(?:(?:front|back|free|unused|unworked|remaining|left|exposed|half)\s+){1,3}(?:loops?|lps?)\b[^.;]{0,40}?\b(?:round|rnd|rd|r)s?\.?\s*(?P<number>\d+)"
+    rf"{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(1)}"
     r"|\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|with|using)\w*\b[^.;]{0,80}?\b(?:flo|blo|fl|bl)s?\b[^.;]{0,40}?"
-    r"\b(?:round|rnd|rd|r)s?\.?\s*(?P<other>\d+)",
+    rf"\b{_NUMBER.format(2)}"
+    rf"|^\W*(?:(?:[a-z]+\s+)?[a-z]+\s*,\s*)?(?:in|into|on|over|behind|from|along|through|to|for)\s+(?:the\s+)?{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(3)}",
     re.IGNORECASE,
 )
 """Where yarn is joined in loops that a round left: "Join C in a free front loop of Rnd 29 at the back"."""
@@ -43,12 +47,6 @@ class Hung:
     span: Span
 
 
-def hanging(name: str) -> bool:
-    """Whether what is called so hangs from loops: a skirt, a frill."""
-    words = [one(w) for w in re.findall(r"[^\W\d_]+", name.lower())]
-    return any(kind_of(w) == "worn" or w in _HANGS for w in words)
-
-
 def joined_in_loops(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence under the heading of a skirt joins its yarn in the loops of a round; its colour is that of the part's."""
     if p.heading is None or not p.parts or not hanging(p.heading.name):
@@ -57,7 +55,7 @@ def joined_in_loops(p: State, tokens: list[Token]) -> bool:
     found = _LOOPS.search(p.source.text.text[span.start : span.end])
     if found is None:
         return False
-    p.hanging = int(found["number"] or found["other"]), span
+    p.hanging = int(next(n for n in found.groupdict().values() if n)), span
     for at, token in enumerate(tokens):
         before = tokens[at - 1].word if at else ""
         shade = p.palette.color(Cursor(tokens, at)) or (
@@ -74,20 +72,33 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
     fit."""
     assert p.hanging is not None
     (number, span), p.hanging = p.hanging, None
-    owner = next((d for d in reversed(p.parts) if d is not draft and not d.merged and d.edges.get(number, 0) > 2), None)
-    if owner is None:
-        return None
-    edge = owner.edges[number]
-    read = tried(p.source, tokens, p.palette, edge, p.phrases, times)
-    if read is None:
-        return None
-    if not read.fit and read.stated is not None:
+    owners = [d for d in reversed(p.parts) if d is not draft and not d.merged and d.edges.get(number, 0) > 2]
+    owners.sort(key=lambda d: not _leaves(d, number))
+    for owner in owners:
+        edge = owner.edges[number]
+        read = tried(p.source, _unjoined(tokens), p.palette, edge, p.phrases, times)
+        if read is not None and (read.fit or read.stated is None):
+            break
+    else:
         return None
     ring = (*foundation(edge, span, False), Action("join", span))  # chains that lift the yarn after it are none of it
     draft.lines.append(Line(ring, span, False))
     draft.edge, draft.flat = edge, False
     p.hung.append(Hung(draft, owner, number, span))
     return read
+
+
+def _unjoined(tokens: list[Token]) -> list[Token]:
+    """A round without the slip stitch that closes it, behind its count: "(2 sc, inc) x 6 (24), sl st"."""
+    said = tokens[: -1 if tokens and tokens[-1].word == "." else None]
+    closed = len(said) > 3 and said[-1].value == "slst" and said[-2].word == "," and said[-3].word in (")", "]")
+    return said[:-2] if closed else tokens
+
+
+def _leaves(owner: Draft, number: int) -> bool:
+    """Whether the round above leaves loops of round ``number`` free, since it is worked into the others."""
+    above = [line for line in owner.lines if line.number == number + 1]
+    return any(isinstance(i, Action) and i.name in ("flo", "blo", "bl") for line in above for i in line.items)
 
 
 def hang_on(built: Built, hung: list[Hung]) -> list[Placed]:

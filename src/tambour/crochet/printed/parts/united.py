@@ -20,6 +20,9 @@ from tambour.crochet.printed.tokens import Token
 
 _RANKS: Final = {"first": 1, "second": 2, "third": 3, "left": 1, "right": 2, "other": 0, "last": 2, "one": 1}
 _MOST: Final = 30  # chains between two pieces
+_GOING: Final = frozenset("continue continuing work working start starting begin beginning now next go".split())
+"""Words before the piece that the hook goes on from."""
+_TIES: Final = frozenset(("attach", "connect", "attaching", "connecting"))
 
 
 @dataclass
@@ -136,6 +139,7 @@ def _plainly(p: State, tokens: list[Token]) -> list[Token]:
     """The words of a round with "leg 1" as "first leg", without remarks in brackets, and "from the second leg ch 3 and join to the first"
     as what is done there: "ch 3, join to the first"."""
     nouns = {one(w) for d in p.parts if d.begun() and not d.merged for w in re.findall(r"[^\W\d_]+", d.name.lower())}
+    tokens = _opened(tokens)
     made: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -146,8 +150,13 @@ def _plainly(p: State, tokens: list[Token]) -> list[Token]:
         elif token.kind == "word" and one(token.word) in nouns and after is not None and after.value in (1, 2):
             made += [replace(after, kind="ordinal"), token]
             at += 2
-        elif token.word == "from" and at + 3 < len(tokens) and _rank(tokens[at + 1]) and tokens[at + 3].value == "ch":
-            at += 3
+        elif (chained := _chained_from(tokens, at)) > at:
+            while made and made[-1].word in _GOING:
+                made.pop()
+            at = chained
+        elif token.word in _TIES and token.kind == "word":
+            made.append(replace(token, kind="key", value="join"))
+            at += 1
         else:
             joins = token.word == "and" and after is not None and after.value == "join" and made
             made.append(Token("mark", ",", token.start, token.start) if joins else token)
@@ -156,9 +165,30 @@ def _plainly(p: State, tokens: list[Token]) -> list[Token]:
     return made[colon + 1 :] if colon and made[0].value == "join" else made  # "join legs: sc 12 along leg 1"
 
 
+def _chained_from(tokens: list[Token], at: int) -> int:
+    """Where the chain stands that is worked from a piece named at ``at``, "on the second leg: ch 4"; ``at`` where none is."""
+    if tokens[at].word not in ("from", "on") or at + 3 >= len(tokens) or _rank(tokens[at + 1]) is None:
+        return at
+    end = at + 3 + (tokens[at + 3].word in (":", ","))
+    return end if end < len(tokens) and tokens[end].value == "ch" else at
+
+
+def _opened(tokens: list[Token]) -> list[Token]:
+    """A round without the brackets around what is chained and joined before its colon: "On the second leg ch 4, join to the first leg: 14 sc …"."""
+    end = next((k for k, t in enumerate(tokens) if t.word == ")"), 0) if tokens and tokens[0].word == "(" else 0
+    inner = tokens[1:end]
+    joins = any(t.value == "join" or t.word in _TIES for t in inner) and any(_rank(t) is not None for t in inner)
+    if not joins or not any(t.value == "ch" for t in inner):
+        return tokens
+    comma = [Token("mark", ",", tokens[end].start, tokens[end].end)]
+    return [*inner, *(comma if tokens[end + 1 : end + 2] != [] else []), *tokens[end + 1 :]]
+
+
 def _counted_alone(rest: list[Token], chained: bool) -> list[Token]:
     """So many stitches along a piece or a chain ("3 sc along the other side of the chain") as their number alone."""
     counted = next((k for k in range(len(rest)) if rest[k].word in ("(", "[") and _count(rest, k)), len(rest))
+    if len(rest) > 2 and rest[-2].word == "=" and rest[-1].kind == "number":
+        counted = min(counted, len(rest) - 2)  # "4 sc along the chain = 36"
     rest, behind = rest[:counted], rest[counted:]
     numbers = [t for t in rest if t.kind == "number" and isinstance(t.value, int)]
     made = [t for t in rest if t.kind == "stitch" and t.value != "ch"]
@@ -257,6 +287,10 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
         if over and not pieces and len(stitches) > 0 and any(t.value == "same" for t in rest):
             pieces, rest = over, [stitches[0]]  # "1 sc in same sp as sl st" is its first stitch
         over = set()
+        if pieces and chain and rest[0].value == "join" and all(t.value == "slst" for t in stitches):
+            if not any(t.kind == "number" for t in rest):
+                over = pieces  # "join to the first leg"
+                continue
         if pieces and rest[0].value == "join" and stitches and stitches[-1].value != "slst":
             rest = [stitches[-1]]  # "join to first leg with a sc"
         spaces = any(t.value == "ch" and k and rest[k - 1].value != "ch" for k, t in enumerate(rest) if k) or any(

@@ -1,39 +1,79 @@
-"""Printed patterns, rims: an edging told in one line, its name, the loops it is worked in, and its only round without a number ("Edge: red yarn to the
-front loops of R21. (skip 2, 5 dc in next) x 11"), put on lines of its own."""
+"""Printed patterns, rims: what hangs from the loops of a round, told in one line: its name, the loops it is worked in, and an edging's only round
+without a number ("Edge: red yarn to the front loops of R21. (skip 2, 5 dc in next) x 11"), put on lines of its own."""
 
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Final
 
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.tokens import Row, Token
 
-_NAMES: Final = frozenset(("edge", "edging", "border", "trim", "frill", "ruffle"))
-_LOOPS: Final = re.compile(
-    r"\b(?:front|back|free|unused) (?:half )?loops? (?:only )?(?:of|from|in) (?:the )?(?:r|rnd|round) ?\d+$"
+_HANGS: Final = frozenset(
+    "frill flounce peplum petticoat ruffle hem fringe valance edge edging border grass trim collar ruff".split()
 )
+"""What hangs from loops besides clothes."""
+_EDGES: Final = frozenset(("edge", "edging", "border", "trim", "frill", "ruffle"))
+_LOOPS: Final = (
+    r"\b(?:[fb]lo|(?:front|back|free|unused|unworked|remaining) (?:half )?loops?)(?: only)? (?:left )?(?:of|from|in|on) (?:the )?"
+    r"(?:(?:r|rnd|round|row) ?\d+|\d+(?:st|nd|rd|th) (?:r|rnd|round|row))"
+)
+_LAST: Final = re.compile(rf"{_LOOPS}$")
+_SAID: Final = re.compile(_LOOPS)
 _OPEN: Final = ("(", "[", "*")
+_NAME: Final = 3  # words of a name
+
+
+def hanging(name: str) -> bool:
+    """Whether what is called so hangs from loops: a skirt, a frill."""
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", name.lower())]
+    return any(kind_of(w) == "worn" or w in _HANGS for w in words)
 
 
 def rimmed(rows: list[Row], called: str) -> list[Row]:
-    """``rows`` with every such line as three: a heading, a sentence, and round 1. called : the word for a round."""
+    """``rows`` with every such line as two or three: a heading, a sentence, and round 1. called : the word for a round."""
     made: list[Row] = []
     for row in rows:
-        tokens = row.tokens
-        end = next((k for k, t in enumerate(tokens) if t.word == "."), 0)
-        named = len(tokens) > end + 1 > 4 and tokens[0].word in _NAMES and tokens[1].word == ":"
-        if not named or tokens[end + 1].word not in _OPEN or not _LOOPS.search(" ".join(t.word for t in tokens[:end])):
-            made.append(row)
-            continue
-        at = tokens[end + 1].start
-        head = [
-            Token("word", called, at, at, capital=True),
-            Token("number", "1", at, at, 1),
-            Token("mark", ":", at, at),
-        ]
-        made += [
-            Row(tokens[:1], tokens[0].start, tokens[0].end, max(row.marked, 1)),
-            Row(tokens[2 : end + 1], tokens[2].start, tokens[end].end),
-            Row([*head, *tokens[end + 1 :]], at, row.end),
-        ]
+        made += _edging(row, called) or _headed(row) or [row]
     return made
+
+
+def _edging(row: Row, called: str) -> list[Row]:
+    """The lines of an edging with its only round; none of another."""
+    tokens = row.tokens
+    end = next((k for k, t in enumerate(tokens) if t.word == "."), 0)
+    named = len(tokens) > end + 1 > 4 and tokens[0].word in _EDGES and tokens[1].word == ":"
+    if not named or tokens[end + 1].word not in _OPEN or not _LAST.search(" ".join(t.word for t in tokens[:end])):
+        return []
+    at = tokens[end + 1].start
+    head = [
+        Token("word", called, at, at, capital=True),
+        Token("number", "1", at, at, 1),
+        Token("mark", ":", at, at),
+    ]
+    return [
+        Row(tokens[:1], tokens[0].start, tokens[0].end, max(row.marked, 1)),
+        Row(tokens[2 : end + 1], tokens[2].start, tokens[end].end),
+        Row([*head, *tokens[end + 1 :]], at, row.end),
+    ]
+
+
+def _headed(row: Row) -> list[Row]:
+    """The heading and the sentence of "SKIRT: turn the bear over, join pink in the front loops of R9" and "COLLAR, white, in the front loops of
+    R30:"; none of another line."""
+    tokens = row.tokens
+    cut = next((k for k, t in enumerate(tokens[: _NAME + 1]) if t.word in (":", ",", "-")), 0)
+    named = cut and tokens[0].capital and all(t.kind == "word" for t in tokens[:cut])
+    if not named or cut + 1 >= len(tokens) or not hanging(" ".join(t.word for t in tokens[:cut])):
+        return []
+    rest = tokens[cut + 1 :]
+    if tokens[cut].word != ":" and rest[-1].word != ":":
+        return []
+    rest = rest[:-1] if rest[-1].word == ":" else rest
+    if not rest or not _SAID.search(" ".join(t.word for t in rest)):
+        return []
+    return [
+        Row(tokens[:cut], tokens[0].start, tokens[cut - 1].end, max(row.marked, 1)),
+        replace(row, tokens=rest, start=rest[0].start, end=rest[-1].end, marked=0),
+    ]

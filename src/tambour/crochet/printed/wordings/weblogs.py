@@ -86,6 +86,12 @@ SAID: Final = (
     (rf"\( (?:is|equals|acts as|this is) (?:the |your |a )?(?:first|1st|1) ({_TALL}) \)", "( counts as {1} )"),
     (rf"\* {_COUNTS}(?: ?\.)?", ""),
     (r"(?:,|and then|then|and) (?:crochet|work|make) (\d+) (?:chs|chains)(?: very)?(?: tightly| loosely)?", ", ch {1}"),
+    (rf"(ch(?:ain)? \d+ ,) (?:and |then )*(?:return|go back|come back|work back|crochet back|turn back)(?: (?:over|along|on|down|across|through) (?:the |this |that )?(?:{CHAINS}))? ?,? (?:beginning|starting|begin|start|from)(?: in| from| with| at)? (?:the )?(2nd|second|3rd|third) ({CHAINS}) from (?:the )?hook", "{1} beginning in {2} {3} from hook"),
+    (rf"(in each)(?: one)? of (?:the )?(?:(?:remaining|other|last) )?(\d+) ({CHAINS}) (?:that remain|remaining|left|that are left)", "{1} of next {2} {3}"),
+    (rf"(in each)(?: one)? of (?:the )?(?:remaining|other|last) (\d+) ({CHAINS})", "{1} of next {2} {3}"),
+    (r"(in each) one of", "{1} of"),
+    (r"(?<=, )(?:then )?(\d+ (?:sc|hdc|dc)) (?:in|on|into) (?:the )?(?:body|head|base)(?= ?[*)\].,;]| ?$)", "{1}"),
+    (r"(?<=, )(?:then )?(\d+ (?:sc|hdc|dc) in (?:the )?next \d+ (?:sts|stitches|sc)) of (?:the )?(?:body|head|base)(?= ?[*)\].,;]| ?$)", "{1}"),
     # loops
     (rf"(?:work(?:ed|ing)? )?(?:in )?(?:the )?({_LOOPS}) for (?:the |this )?(?:whole|entire|complete|full) {_ROUND}(?: ?[-:,.])?", "in {1} ,"),
     (rf"(around|across|each (?:{_STITCH})|\d+ (?:{_KIND})) \. (?:this|the) {_ROUND} is worked in (?:the )?({_LOOPS})(?= ?[.(\[]| ?$)", "{1} in {2}"),
@@ -98,6 +104,8 @@ SAID: Final = (
     (r"< (\d+) >(?= ?\.?(?: fasten| cut| join| turn| ?$))", "( {1} )"),
     (r"\( (\d+) / \d+ chs? \)", "( {1} )"),
     (rf"([(\[]) (\d+) ({_STITCH}) (?:made|total|in total|altogether) ?\.? ([)\]])", "{1} {2} {3} {4}"),
+    (r"(?<!: )= (\d+)(?: sts?| stitches| sc)? ,(?= (?:join|close|connect|finish|end|fasten|turn|sl st|slst|ss|slip stitch|ch 1 ,? ?turn|do not|don't)(?!\S))", "( {1} ) ,"),
+    (r"(\d+ (?:sl st|slst|ss|ch|sc)) ,? (?:very |quite |rather )?loose(?= ?[.,;(\[=]| ?$)", "{1} loosely"),
     # how often
     (r"(?<=[)\]] )x (twice|once)(?= ?[,.;(]| ?$)", "{1}"),
     (rf"(times|twice) ;(?= (?:\d+ )?(?:{_KIND}|inc|dec)(?!\S))", "{1} ,"),
