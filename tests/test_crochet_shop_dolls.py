@@ -37,6 +37,12 @@ def made(found: Pattern) -> dict[str, list[int]]:
     return rounds
 
 
+def hues(found: Pattern, number: int) -> tuple[int, ...]:
+    """The colour in which a round of the first part ends."""
+    built = build(found)
+    return tuple(built.graph.color[next(r.last for r in built.rounds if r.number == number)].tolist())
+
+
 def test_a_body_is_gone_back_to_when_its_arms_are_made() -> None:
     for back, onward in (
         ("BODY, continuation", "HEAD (without cutting the thread)"),
@@ -102,6 +108,8 @@ def test_whole_parts_in_one_line_are_read_round_by_round() -> None:
 
 
 def test_numbered_steps_in_one_line_are_no_rounds() -> None:
+    words = f"Mouse\n\nAbbreviations: 1. sc - single crochet; 2. inc - increase; 3. MR - magic ring\n\nBODY\n{BALL}"
+    assert made(pattern(words)) == {"BODY": [6, 12, 18]}
     steps = "1. Sew the ears to the head; 2. Sew the tail between R2 and R3; 3. Wash at 30 degrees."
     found = pattern(f"Mouse\n\nBODY\n{BALL}\nTAIL\nR1. 4 sc in MR (4)\nR2. 4 sc (4)\n\nASSEMBLY\n{steps}\n")
     assert [p.name for p in found.parts] == ["BODY", "TAIL"]
@@ -161,6 +169,12 @@ def test_a_colour_within_the_name_of_its_yarn_is_no_other_word_for_it() -> None:
     listed = f"Mouse\n\nMATERIALS\nYarn in white, navy blue and pink\n\nHAT\nWith white.\n{BALL}Change to {{0}}.\nR4. 18 sc (18)\n"
     assert not [m for m in told(pattern(listed.format("navy blue"))) if m.startswith(MEANT)]
     assert [m for m in told(pattern(listed.format("blue"))) if m.startswith(MEANT)]
+
+
+def test_a_change_to_a_colour_of_the_list_is_to_that_yarn() -> None:
+    listed = "Mouse\n\nMATERIALS\nYarn: white - 1 skein, powder pink - 1 skein\n\nHAT\nWith white.\n"
+    found = pattern(f"{listed}{BALL}Change to pink.\nR4. 18 sc (18)\nR5. In powder pink, 18 sc (18)\n")
+    assert hues(found, 4) == hues(found, 5) != hues(found, 3)
 
 
 def test_places_in_a_translators_words() -> None:

@@ -205,7 +205,9 @@ class State:
         )
         if self.language.code in ("us", "uk", "letters") and not ours:
             learned(source.text.text, self.palette, self.vocabulary)
-        self.phrases = Phrases(terms, {}, lettered(source.text.text, terms), hues)
+        self.phrases = Phrases(
+            terms, {}, lettered(source.text.text, terms), hues, None if ours else self.palette.on_shelf
+        )
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property, lru_cache
@@ -106,12 +106,14 @@ class Phrases:
     copies : the name of every part → how often it is made; empty while the parts are not known: any words then are a name
     legend : letter → the colour that the pattern calls so
     hues : what words for colours mean where people wrote them; empty where they are those of tambour's own language
+    shelf : a word → the yarn that the list of a text calls so, which is meant before all; None for no such list
     """
 
     terms: Terms
     copies: Mapping[str, int]
     legend: Mapping[str, RGB]
     hues: Mapping[str, RGB] = dataclasses.field(default_factory=dict)
+    shelf: Callable[[str], RGB | None] | None = None
 
     # -- names and colours ----------------------------------------------------------------------------------------
 
@@ -147,6 +149,8 @@ class Phrases:
     def color(self, words: str) -> RGB | None:
         """The colour that ``words`` say; None where they say none."""
         said = " ".join(words.split()).lower()
+        if self.shelf is not None and (yarn := self.shelf(said)) is not None:
+            return yarn
         for hue, spoken in self._shades.items():
             if said == spoken.lower():
                 return hue

@@ -53,8 +53,9 @@ def _run(tokens: list[Token], at: int, vocabulary: Vocabulary) -> tuple[list[int
     last, k = 0, at
     while (head := _head(tokens, k)) is not None and head[0] == last + 1:
         end = next((n for n in range(head[2], len(tokens)) if _ends(tokens, n, head[1])), len(tokens))
-        if not any(t.kind == "stitch" for t in vocabulary.read(tokens[head[2] : end])):
-            break
+        said = vocabulary.read(tokens[head[2] : end])
+        if not any(t.kind == "stitch" for t in said) or (not run and not any(t.kind == "number" for t in said)):
+            break  # "1. sc - single crochet; 2. dc - double crochet" explains
         run.append(k)
         last, k = head[1], end + (end < len(tokens))
         if end >= len(tokens) or tokens[end].word == ".":

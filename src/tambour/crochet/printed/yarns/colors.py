@@ -55,13 +55,13 @@ class Palette:
         if self.pure:
             return self.given.get(words) or css_colors().get(words.replace(" ", "")) or said(words)
         owned = shade(words) if words.split()[-1:] and words.split()[-1] in self.owned else None
-        return self.given.get(words) or self.foreign.get(words) or self._on_shelf(words) or said(words) or owned
+        return self.given.get(words) or self.foreign.get(words) or self.on_shelf(words) or said(words) or owned
 
     def _only(self, word: str) -> RGB | None:
         """The yarn of a list that has one for all its letters: "1 ball 9872 Llama"."""
         return self.given.get("") if word in ("a", "mc") else None
 
-    def _on_shelf(self, words: str) -> RGB | None:
+    def on_shelf(self, words: str) -> RGB | None:
         """The colour of the yarn that the list calls so, or of the only one whose name has these words: "grey" where "Light Grey" is."""
         words = words.replace("gray", "grey")
         if words in self.yarns:
