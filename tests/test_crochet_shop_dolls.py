@@ -10,7 +10,7 @@ from tambour.crochet.language.finishes import MEANT, UNSEEN, Embroidery, Eye, Fi
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places import face
 from tambour.crochet.places.said import VERB, where
-from tambour.crochet.places.terse import spoken
+from tambour.crochet.places.terse import spoken, under
 from tambour.crochet.printed.between.assembly import UNPLACED
 
 LETTERS = "Mouse\n\nLegend:\nMR - magic ring\nX - single crochet\nV - increase\nA - decrease\n\n"
@@ -63,7 +63,7 @@ def test_a_body_is_gone_back_to_when_its_arms_are_made() -> None:
 
 def test_a_limb_that_speaks_of_the_body_goes_on_with_its_own_rounds() -> None:
     found = pattern(
-        f"Mouse\n\nBODY\nR1. 6 sc in MR (6)\nR2. 6 inc (12)\nR3. 12 sc (12)\n\nARMS (make 2)\nR1. 5 sc in MR (5)\nR2. 5 sc (5)\nR3. 5 sc (5)\n"
+        "Mouse\n\nBODY\nR1. 6 sc in MR (6)\nR2. 6 inc (12)\nR3. 12 sc (12)\n\nARMS (make 2)\nR1. 5 sc in MR (5)\nR2. 5 sc (5)\nR3. 5 sc (5)\n"
         "Do not stuff them near the body.\nR4. 5 sc (5)\nR5. 5 sc (5)\n"
     )
     assert made(found) == {"BODY": [6, 12, 12], "ARMS": [5, 5, 5, 5, 5]}
@@ -127,6 +127,13 @@ def test_a_skirt_and_a_collar_hang_from_the_walls_that_their_rounds_left() -> No
     assert (on["SKIRT"].spot.part, on["SKIRT"].spot.round, on["SKIRT"].through) == ("BODY", 3.0, 18)
     assert (on["COLLAR"].spot.part, on["COLLAR"].spot.round, on["COLLAR"].through) == ("BODY", 5.0, 18)
     assert made(found)["COLLAR"] == [24, 24]
+
+
+def test_loops_that_a_frill_names_once_more_are_those_it_hangs_in() -> None:
+    words = f"Mouse\n\nBODY\n{BALL}R4. BLO 18 sc (18)\nR5. 18 sc (18)\n\nShirt Edge\nJoin white with sl st to first sc of front loops of 3rd rnd.\n1st rnd: Ch 2. Working in front loops only, (1 hdc in each of next 2 sc, 2 hdc in next sc)*6. Join. (24)\n"
+    found = pattern(words)
+    assert placed(found)["Shirt Edge"].spot.round == 3.0 and made(found)["Shirt Edge"] == [24]
+    assert not [m for m in told(found) if "single loop" in m]
 
 
 def test_two_legs_are_joined_in_a_translators_words() -> None:
@@ -197,6 +204,8 @@ def test_a_stitch_and_a_bow_tie_put_nothing() -> None:
     assert VERB.search("one stitch to the outside of each eye") is None and VERB.search("bow tie: in the front") is None
     assert VERB.search("stitch the ears to the head") and VERB.search("tie the scarf around the neck")
     assert spoken("Cheeks: at the height of R15, beside the eyes", ["HEAD", "CHEEKS"]).startswith("Cheeks: sew at")
+    assert not under("Neck", "In the next round, stitches are worked into each stitch around the opening", ["Body"])
+    assert under("Ears", "Between R4 and R8", ["Head", "Ears"])
     assert spoken("Cheeks: at the height of R15, beside the eyes", ["HEAD"]).startswith("Cheeks: embroider at")
 
 

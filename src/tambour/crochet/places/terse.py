@@ -54,6 +54,8 @@ _EYES: Final = re.compile(
     re.IGNORECASE,
 )
 
+_ROUND_OF: Final = re.compile(r"\b(?:stitches|sts|rounds|rows) (?:are|will be) (?:worked|made|crocheted)\b")
+"""What is said of a round, and puts nothing anywhere: "In the next round, stitches are worked around the opening"."""
 _BY_EYES: Final = re.compile(
     r"\b(?:at|in|on|from|near|above|below|beside|under|over) (?:the |each |both |its )*(?:(?:outer|inner) (?:corner|edge|side|end)|eye)"
 )
@@ -180,4 +182,5 @@ def under(heading: str, text: str, names: list[str]) -> str:
     if drawn and not face.motifs(text.lower()) and not _REPEATED.search(text) and VERB.search(text.lower()):
         return led
     place = heading and not _REPEATED.search(text) and _AT.match(text.lower()) and verb_of(text, names) is None
+    place = place and not _ROUND_OF.search(text.lower())
     return led if place and verb_of(led, names) is not None else ""

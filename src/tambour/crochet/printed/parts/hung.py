@@ -81,6 +81,8 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
             break
     else:
         return None
+    # "Working in front loops only" says once more in which loops it hangs; on the chain that stands for them there are none.
+    read.items = [i for i in read.items if not (isinstance(i, Action) and i.name in ("flo", "blo", "bl"))]
     ring = (*foundation(edge, span, False), Action("join", span))  # chains that lift the yarn after it are none of it
     draft.lines.append(Line(ring, span, False))
     draft.edge, draft.flat = edge, False

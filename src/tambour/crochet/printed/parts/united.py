@@ -287,10 +287,10 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
         if over and not pieces and len(stitches) > 0 and any(t.value == "same" for t in rest):
             pieces, rest = over, [stitches[0]]  # "1 sc in same sp as sl st" is its first stitch
         over = set()
-        if pieces and chain and rest[0].value == "join" and all(t.value == "slst" for t in stitches):
-            if not any(t.kind == "number" for t in rest):
-                over = pieces  # "join to the first leg"
-                continue
+        joins = pieces and chain and rest[0].value == "join" and all(t.value == "slst" for t in stitches)
+        if joins and not any(t.kind == "number" for t in rest):
+            over = pieces  # "join to the first leg"
+            continue
         if pieces and rest[0].value == "join" and stitches and stitches[-1].value != "slst":
             rest = [stitches[-1]]  # "join to first leg with a sc"
         spaces = any(t.value == "ch" and k and rest[k - 1].value != "ch" for k, t in enumerate(rest) if k) or any(
