@@ -32,6 +32,9 @@ GAIN = 0.004
 BENT, IDLE = 5, 3
 """How often a part's bends are corrected, and the widths of its rounds after each; and after how many times in a row that bring nothing
 that ends."""
+LEANING = 1.0, 0.5
+"""Which share of the rounds that may be neither plain nor a repeat may lean: all of them, or half, as increases outside of a bend, which bend a stout
+part more than taller stitches do, need such rounds too."""
 FLAT = 0.78
 """A limb whose lines enclose a smaller share than this of what circles would is tried without stuffing too, as ears are worked."""
 BROAD = 26.0
@@ -258,7 +261,7 @@ def resized(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[floa
         way = task.lines(np.ones(rows + more))
         wider = _wider(task, best, way, (np.arange(rows) + 0.5) / rows)
         on = replace(task, way=way, leans=())
-        now, through = _counted(on, tried(on, wider * way.girths), tries)
+        now, through = _counted(on, tried(on, wider * way.girths), -(-tries // 2))
         history += through
         if now.price >= best.price - GAIN:
             return task, best, history
@@ -285,8 +288,19 @@ def bent(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]
     history: list[float] = []
     if task.lines is None or task.hollow[0]:
         return task, best, history
-    was, now, on = (task, best), best, task
-    bend, step, idle, share = np.zeros((task.way.rows, 2)), STEP, 0, readable.uneven(task.plain)
+    made = task, best
+    for share in LEANING:
+        on, now, through = _bent(task, best, tries, share * readable.uneven(task.plain))
+        history += through
+        made = (on, now) if now.price < made[1].price else made
+    return *made, history
+
+
+def _bent(task: Task, best: Tried, tries: int, share: float) -> tuple[Task, Tried, list[float]]:
+    """The same where a ``share`` of all rounds may lean."""
+    assert task.lines is not None, "asked before"
+    was, now, on, history = (task, best), best, task, list[float]()
+    bend, step, idle = np.zeros((task.way.rows, 2)), STEP, 0
     for _ in range(min(BENT, tries)):
         bend = bend + step * bends.needed(now)[: len(bend)]
         leans = bends.leaning(bend, share * len(bend))

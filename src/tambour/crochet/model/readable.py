@@ -21,7 +21,7 @@ NEAR = 3
 """How many stitches a count may be moved, at the most, for a round that reads better."""
 SLACK = 4
 """The same where few rounds shall change."""
-CHANGES = 19
+CHANGES = 14
 """In how many rounds of a part counts change at the most."""
 UNEVEN = 2.0
 """What a change costs that cannot be spread as a repeat, in square stitches that a count is off."""
@@ -33,8 +33,9 @@ ODD = 0.3
 """Of the rounds that may be neither plain nor a repeat, the share at the most whose count changes by what no repeat gives."""
 EASY = 0.72
 """The share of rounds that are plain, or one repeat."""
-GAINS = (0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5, 2.5, 5.0, math.inf)
-"""What is to be gained, in square stitches for every stitch, by a round that is neither plain nor a repeat."""
+GAINS, SOUGHT = (0.03, 30.0), 7
+"""What is to be gained, in square stitches for every stitch, by a round that is neither plain nor a repeat, at the least and at the most; and
+how often what lies between is halved to find it."""
 STRICT = 6.0
 """What a round that is no plain one costs at the most, in square stitches that a count is off."""
 LEAST, MOST_RING = 4, 8
@@ -83,7 +84,7 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
         return _sparing(wanted, 0.0, 0.0)
     most, most_odd = CHANGES * (1.5 - plain), max(1.0, ODD * uneven(plain) * len(wanted))
     price, hard = 0.1 * plain, UNEVEN * plain
-    known: dict[tuple[int, int, int], float] = {}
+    known: dict[tuple[int, int, int], tuple[Array, Array]] = {}
     while True:
         made = _sparing(wanted, price, hard, known)
         changes = [(a, b) for a, b in pairwise(made) if a != b]
@@ -94,27 +95,42 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
 
 
 def _sparing(
-    wanted: Sequence[float], price: float, hard: float, known: dict[tuple[int, int, int], float] | None = None
+    wanted: Sequence[float],
+    price: float,
+    hard: float,
+    known: dict[tuple[int, int, int], tuple[Array, Array]] | None = None,
 ) -> list[int]:
-    """The counts where every change costs ``price``, and one that cannot be a repeat ``hard`` more. known : what pairs of counts are off by, kept
-    for other prices."""
-    goal = _goal(wanted)
-    known = {} if known is None else known
-
-    def off(k: int, before: int, n: int) -> float:
-        both = 0.5 * (n - goal[k] + before - goal[k - 1])
-        return (0.3 * (n - goal[k]) ** 2 + both * both) / (0.6 + 0.02 * goal[k])
-
-    def change(k: int, before: int, n: int) -> float:
-        at = k, before, n
+    """The counts where every change costs ``price``, and one that cannot be a repeat ``hard`` more: as :func:`cheapest` finds them, all counts of
+    a round at once, as this is asked for hundreds of times. known : what pairs of counts are off by, and how hard they are, kept for other prices."""
+    goal, known = _goal(wanted), {} if known is None else known
+    tries = _tries(goal, SLACK)
+    here = begun = np.array(tries(0))
+    best = (here - goal[0]) ** 2 + np.where(here == 6, 0.0, 0.5)
+    ways: list[tuple[Array, Array]] = []
+    for k in range(1, len(goal)):
+        below, at = here, (k, int(here[0]), len(here))
+        here = np.array(tries(k))
         if at not in known:
-            known[at] = off(*at)
-        return known[at] + (0.0 if n == before else price + hard * (math.gcd(before, n - before) < 2))
-
-    def own(k: int, n: int) -> float:
-        return 0.0 if k else (n - goal[0]) ** 2 + (0.0 if n == 6 else 0.5)
-
-    return cheapest(goal, _tries(goal, SLACK), own, change)
+            a, n = below[:, None].astype(float), here.astype(float)
+            both = 0.5 * (n - goal[k] + a - goal[k - 1])
+            off = (0.3 * (n - goal[k]) ** 2 + both * both) / (0.6 + 0.02 * goal[k])
+            off[(n > 2.0 * a) | (2.0 * n < a)] = np.inf
+            known[at] = off, np.where(n == a, -1, np.gcd(below[:, None], here - below[:, None]) < 2)
+        off, how = known[at]
+        price_ = best[:, None] + (off + np.where(how < 0, 0.0, price + hard * how))
+        if np.isfinite(price_).any():
+            come = price_.argmin(0)
+            best = price_[come, np.arange(len(here))]
+        else:  # too steep: as far as rounds can go
+            least = int(best.argmin())
+            here = np.array([min(max(round(goal[k]), -(-int(below[least]) // 2)), 2 * int(below[least]))])
+            come, best = np.array([least]), best[least : least + 1]
+        ways.append((here, come))
+    at_, made = int(best.argmin()), list[int]()
+    for here, come in reversed(ways):
+        made.append(int(here[at_]))
+        at_ = int(come[at_])
+    return [int(begun[at_]), *made[::-1]]
 
 
 def rounds(
@@ -127,13 +143,23 @@ def rounds(
     leave a share EASY (at half of ``plain``) of all of them plain or a repeat, and not more than KINDS different ones: in
     those where most is gained by it. Between them columns of stitches go straight on, and what they are off by adds up.
     """
-    low, high = 0, len(GAINS) - 1 if plain > 0.0 else 0
-    known: dict[int, tuple[Round, ...]] = {}
-    while low < high:  # the least gain that leaves rounds which read easily
-        middle = (low + high) // 2
-        known[middle] = _followed(lines, points, GAINS[middle])
-        low, high = (low, middle) if followable(_leant(known[middle], leans), plain) else (middle + 1, high)
-    made, left = known[low] if low in known else _followed(lines, points, GAINS[low]), list(leans)
+    if plain <= 0.0:
+        return _leant(_followed(lines, points, 0.0)[0], leans)
+    taller = frozenset(k for k, lean in enumerate(leans) if lean is not None)
+    for free in (taller, frozenset[int]()) if taller else (taller,):
+        low, high = GAINS
+        best: tuple[float, tuple[Round, ...]] | None = None
+        for _ in range(SOUGHT):
+            # A round that follows the shape ends what those before it were off by, so the least gain is not always the nearest.
+            gain = math.sqrt(low * high)
+            made, off = _followed(lines, points, gain, free)
+            fits = followable(_leant(made, leans), plain)
+            low, high = (low, gain) if fits else (gain, high)
+            if fits and (best is None or off < best[0]):
+                best = off, made
+        if best is not None:
+            return _leant(best[1], leans)
+    made, left = _followed(lines, points, math.inf)[0], list(leans)
     while not followable(_leant(made, left), plain) and any(left[1:]):
         leant = _leant(made, left)
         often = Counter(map(kind, leant))
@@ -162,25 +188,28 @@ def kind(one: Round) -> tuple[str, ...]:
     return ("sc",) if set(one.words) == {"sc"} else one.words
 
 
-def _followed(lines: Sequence[Array], points: Sequence[Array], least: float) -> tuple[Round, ...]:
-    """Rounds that follow the shape where that gains more than ``least``, square stitches for every stitch."""
-    at, made = points[0], []
-    for line, above in zip(lines[1:], points[1:]):
-        below, most = beside(line, at), max(len(at), len(above))
+def _followed(
+    lines: Sequence[Array], points: Sequence[Array], least: float, free: frozenset[int] = frozenset()
+) -> tuple[tuple[Round, ...], float]:
+    """Rounds that follow the shape where that gains more than ``least``, square stitches for every stitch, or, of the ``free``, anything; and
+    the square way of all stitches to those that they are worked into."""
+    at, made, off = points[0], [], 0.0
+    for k, (line, above) in enumerate(zip(lines[1:], points[1:]), start=1):
+        below, most = beside(line, at), 0.0 if k in free else least * max(len(at), len(above))
         shaped, simple = couple(below, above), even(len(below), len(above)).words
         tries = [simple[j:] + simple[:j] for j in range(period(simple))]
         prices = [cost(one, below, above) for one in tries]
         j = int(np.argmin(prices))
-        if prices[j] - cost(shaped, below, above) > least * most:
+        if prices[j] - (own := cost(shaped, below, above)) > most:
             made.append(Round(shaped))
-            at = above
+            at, off = above, off + own
         else:
             made.append(Round(tries[j]))
-            at = _carried(tries[j], below)
-    return tuple(made)
+            at, off = carried(tries[j], below), off + prices[j]
+    return tuple(made), off
 
 
-def _carried(words: Sequence[str], below: Array) -> Array:
+def carried(words: Sequence[str], below: Array) -> Array:
     """Where the stitches (m, 3) of a round lie that is worked into stitches at ``below`` (n, 3)."""
     into, side = _taken(tuple(words))
     ahead = 0.25 * (np.roll(below, -1, 0) - np.roll(below, 1, 0))
