@@ -30,19 +30,44 @@ FO
 """
 
 
-def test_a_drawn_together_end_shows_no_hole_wider_than_a_third_of_the_yarn() -> None:
-    made = make(Text(BALL), CrochetParams(), Progress())
+ARM = """R1: MR(6)
+R2-R9: 3 sc, 3 hdc
+FO
+"""
+
+
+def widest(text: str, *sides: tuple[float, float]) -> float:
+    """The widest stretch of the lining that is seen from ``sides`` (azimuth, elevation in degrees), in widths of the yarn."""
+    made = make(Text(text), CrochetParams(), Progress())
     graph, x = made.built.graph, made.positions
     led = strands(graph, x)
     drawn = mesh(graph, x, made=led)
-    yarn = 2.0 * float(np.median(led.radius))
-    camera = look(drawn.vertices, width=900, height=900, azimuth=0.0, elevation=radians(88), lens=radians(26))
-    u, v, w = turn(drawn.vertices - camera.eye, camera.axes)
-    near = 1.0 / np.maximum(-w, 1e-9)
-    depth = np.full((camera.height, camera.width), -np.inf, np.float32)
-    face = np.full(depth.shape, -1, np.int32)
-    u, v = u * near * camera.scale + camera.width / 2, camera.height / 2 - v * near * camera.scale
-    cover(u, v, near, drawn.faces, depth, face, -shut(drawn))
-    seen = (face >= 0) & (drawn.face_group[face] == drawn.group_names.index("lining"))
-    wide = np.where(seen, 2.0 * distance_transform_edt(seen) / (camera.scale * np.maximum(depth, 1e-9)), 0.0) / yarn
-    assert wide.max() < 1.0 / 3.0
+    yarn, found = 2.0 * float(np.median(led.radius)), []
+    for azimuth, elevation in sides:
+        camera = look(
+            drawn.vertices,
+            width=900,
+            height=900,
+            azimuth=radians(azimuth),
+            elevation=radians(elevation),
+            lens=radians(26),
+        )
+        u, v, w = turn(drawn.vertices - camera.eye, camera.axes)
+        near = 1.0 / np.maximum(-w, 1e-9)
+        depth = np.full((camera.height, camera.width), -np.inf, np.float32)
+        face = np.full(depth.shape, -1, np.int32)
+        u, v = u * near * camera.scale + camera.width / 2, camera.height / 2 - v * near * camera.scale
+        cover(u, v, near, drawn.faces, depth, face, -shut(drawn))
+        seen = (face >= 0) & (drawn.face_group[face] == drawn.group_names.index("lining"))
+        wide = np.where(seen, 2.0 * distance_transform_edt(seen) / (camera.scale * np.maximum(depth, 1e-9)), 0.0)
+        found.append(float(wide.max()) / yarn)
+    return max(found)
+
+
+def test_a_drawn_together_end_shows_no_hole_wider_than_a_third_of_the_yarn() -> None:
+    assert widest(BALL, (0.0, 88.0)) < 1.0 / 3.0
+
+
+def test_between_the_stitches_one_sees_the_yarn_behind_and_not_the_lining() -> None:
+    """It lay amid the fabric, before the strands behind, and showed between the legs of half doubles in thin arms."""
+    assert widest(ARM, *((60.0 * k, 12.0 * (k % 2)) for k in range(6))) < 0.25

@@ -61,7 +61,7 @@ VIEWS: dict[str, View] = {
     "making": View(
         Lazy("tambour.crochet.making:making"),
         "Pictures",
-        "the piece growing stitch by stitch in its yarn: a film (.mp4 needs the extra film), or its pictures",
+        "the piece growing stitch by stitch in its yarn: a film (.mp4 needs PyAV: pip install av), or its pictures",
         (".mp4", ".gif", ".png"),
         "film",
     ),

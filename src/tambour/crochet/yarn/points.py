@@ -20,6 +20,8 @@ SQUEEZED = 0.28
 """How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 FULLER = 0.2
 """How much thicker the legs of half doubles are in their middle."""
+BEHIND = 0.15
+"""How much thicker yarn is behind the work, where nothing draws it tight: it closes what the loops before it leave open."""
 HIGHEST = 0.8
 """Up to here, of a stitch's height, legs are brought upright the further the higher; the arch between them stays where it is."""
 
@@ -67,6 +69,7 @@ def thick(cell: I4x1, below: I4x1, at: F8x2, height: F8x1, over: B1x1, root: B1x
         full = 1.0
         if 1.2 < high < TALL:
             full = 1.0 + FULLER * _share((w - 0.1) / 0.2) * math.sqrt(_share(1.0 - abs(v / high - 0.5) / 0.5))
+        full *= 1.0 + BEHIND * _share((-0.02 - w) / 0.16)
         if over[cell[p]]:
             full *= 1.0 - SQUEEZED * (_share((v - high) / 0.08) * _share((w + 0.12) / 0.1))
         out[p] = wide * full
