@@ -555,7 +555,8 @@ def test_loops_hang_down_and_fur_is_cut(name: str) -> None:
     for k, i in enumerate(hairy.tolist()):
         low[k] = made.positions[i, 1] - yarn.paths.coords[of == i, 1].min()
     assert low.min() > 1.5 * graph.stitch_width  # lower than any stitch reaches
-    assert (yarn.radius[np.isin(of, hairy)].min() < 0.7 * yarn.radius.max()) == (name == "fur")
+    thin = yarn.radius[np.isin(of, hairy)].min() < 0.7 * np.median(yarn.radius)  # behind the work it is fuller
+    assert thin == (name == "fur")
 
 
 def test_the_v_of_a_single_crochet_stands_open() -> None:

@@ -12,11 +12,11 @@ if TYPE_CHECKING:
     from tambour.core.strands import Strands
     from tambour.crochet.piece import Plush
 
-FRAMES: Final = 60
+FRAMES: Final = 48
 """Pictures that the making is shown in, at the most one for each stitch."""
 WIDTH: Final = 480
 """Pixels along a side: films are square, as telephones show them."""
-LIGHTS: Final = 20
+LIGHTS: Final = 16
 ABOVE: Final = 14.0, 58.0
 """From how high one looks at what stands, and at what lies flat, degrees."""
 
