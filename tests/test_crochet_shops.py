@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
 from tests.crochet_read import counts, pattern, unread
 
+from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import UNSEEN, Placed
 from tambour.crochet.language.tree import Pattern
+from tambour.crochet.places.habits import plainly
+from tambour.crochet.places.said import where
+from tambour.crochet.places.terse import verb_of
 from tambour.crochet.printed.between.assembly import UNPLACED
 
 BALL = "R1: 6sc in MR (6)\nR2: inc*6 (12)\nR3-5: 12sc (12)\n"
@@ -135,3 +143,127 @@ def test_what_is_worked_from_the_bottom_up_stands_on_its_beginning() -> None:
     jar = "Jar\n\nJAR (from the bottom to the top)\n{0}Sew the ears to the top of the jar.\n\nEARS (make 2)\nR1: 6sc in MR (6)\n"
     up = {p.name: p.up for p in pattern(jar.format(TOWER)).parts}
     assert up["JAR"] in (None, "end")
+
+
+def test_rounds_strung_behind_their_part_are_its_rounds() -> None:
+    head = "".join(f"Round {k} - 6dc <6>\n" for k in range(2, 6))
+    found = pattern(
+        f"Dino (UK terms)\n\nHEAD\nRound 1 - 6dc into a magic ring <6>\n{head}ARMS (make 2): Round 1 - 5dc into a magic ring <5>. Round 2 - inc x5 <10>. Rounds 3 to 4 - dc in every st <10>. Stuff lightly.\n"
+    )
+    assert [(p.name, p.copies) for p in found.parts] == [("HEAD", 1), ("ARMS", 2)]
+    assert [w.made for w in build(found).worked if w.line.in_round and w.part == 1] == [5, 10, 10, 10]
+
+
+def test_a_number_grown_to_a_stitch_is_an_increase_where_the_abbreviations_say_so() -> None:
+    words = "Pony\n\nABBREVIATIONS\nsc - single crochet\n2sc - 2 sc in next st (increase)\n\nHEAD\nRound 1: 6 sc in MC - 6 sts\nRound 2: [2sc] x6 - 12 sts\nRound 3: [sc 1, 2sc] x6 - 18 sts\n"
+    found = pattern(words)
+    assert counts(words) == [6, 12, 18]
+    assert not [m for m in told(found) if "can be read as" in m]
+
+
+def test_a_yarn_that_is_changed_to_behind_a_count_is_changed_to() -> None:
+    found = pattern(
+        "Pony\n\nLEG\nStart with brown.\nRound 1 - 6 sc in MC - 6 sts\nRound 2 - inc x6 - 12 sts, switch to White\nRound 3 - sc around - 12 sts\n"
+    )
+    assert hues(found, 0, 3)[0] != hues(found, 0, 2)[0]
+
+
+def test_a_tip_in_its_line_instructs_nothing_and_stitches_in_it_are_told() -> None:
+    found = pattern(
+        f"Pip\n\nBODY\n{BALL}FO.\n\nEARS (make 2)\nR1: 6sc in MR (6)\n\nASSEMBLY\nSew the ears to the body at R2.\nTIPS - Too soft? Wrap a strand of yarn about it twice.\n"
+    )
+    assert UNSEEN not in told(found) and not found.unread
+
+
+def test_a_list_of_places_without_verbs_is_heard() -> None:
+    names = ["HEAD", "HORN", "CHEEK", "WING"]
+    for words, verb in (
+        ("2) Horn: center top of head, over Rounds 15-18", "sew at"),
+        ("Wings: just behind them, on 18th row", "sew"),
+        ("Cheeks: under the eyes, one stitch outside, between 4th - 6th rows", "sew"),
+    ):
+        found = verb_of(words, names)
+        assert found is not None and found[1].strip() == verb, words
+    assert verb_of("Ears: pin to the head at round 5", names) is None
+
+
+def test_what_peeps_out_is_no_place_and_the_centre_back_is_no_part() -> None:
+    parts = f"HEAD\n{BALL}\nBODY\n{TOWER}\nHAUNCHES (make 2)\n{BALL}\nHIND PAWS (make 2)\nR1: 5sc in MR (5)\nR2: 5sc (5)\n\nTAIL\nR1: 5sc in MR (5)\nR2: 5sc (5)\n\nBow centre\nR1: 5sc in MR (5)\n"
+    found = pattern(
+        f"Cat\n\n{parts}\nASSEMBLY\nSew the 12 sts of the head to the 12 sts of the body.\nSew the haunches to either side between Rounds 4 and 7, with a hind paw peeping out from beneath each one.\n"
+        "Attach the tail at the centre back, over Rounds 4 and 5.\n"
+    )
+    on = placed(found)
+    assert {on[name].spot.part for name in ("HEAD", "HAUNCHES.1", "HAUNCHES.2", "TAIL")} == {"BODY"}
+    assert UNPLACED not in told(found)
+
+
+def test_a_row_that_leaves_nothing_to_turn_on_does_not_refuse_the_text() -> None:
+    found = pattern(
+        "Pony\n\nMANE - Pink, ch 5\nRow 1 - sc in 2nd ch from hook and across - 4 sts. Turn.\n"
+        "Row 2 - *sl st in next st, ch 6, sc in 2nd ch from hook and in each ch back, sl st in next st* x2 - 2 curls. Fasten off.\n"
+        "Row 3 - Join Mint to the other side of the starting chain. *sl st in next ch, ch 12* x3, sl st in last ch - 3 loops. Fasten off.\n\nHEAD\nRow 1 - 4 sc in MC - 4 sts\n"
+    )
+    assert [p.name.split()[0] for p in found.parts] == ["MANE", "HEAD"]
+    assert any("Row 3" in str(one) for one in unread(found.text.text))
+
+
+WHALE = (
+    "Small whale\n\nBODY\nStart at the nose, with Blue.\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nRnd 3: (1 sc, inc) x 6 [18]\nRnd 4: (2 sc, inc) x 6 [24]\n"
+    "Rnd 5: with Blue, 15 sc; change to Cream, 9 sc [24]\nRnds 6-12: with Blue, 15 sc; with Cream, 9 sc [24]\nContinue with Blue only.\nRnd 13: (2 sc, dec) x 6 [18]\n"
+    "Rnd 14: (1 sc, dec) x 6 [12]\nRnds 15-16: sc around [12]\nFO. Stuff.\n\nTAIL FLUKES - with Blue, make the first fluke:\nRnd 1: 4 sc in MR [4]\n"
+    "Rnd 2: inc x 4 [8]\nRnds 3-4: sc around [8]\nFO. Make the second fluke exactly the same way, but do NOT fasten off.\n"
+    "Rnd 5: ch 2, sc in any st of the first fluke and in the next 7 sts, sc in each of the 2 ch, sc in all 8 sts of the second fluke, sc along the other side of the 2 ch [20]\n"
+    "Rnd 6: (3 sc, dec) x 4 [16]\nRnd 7: (2 sc, dec) x 4 [12]\n\n"
+    "TOGETHER\nSew the flukes to the open end of the body, matching the 12 sts of Rnd 7 to the 12 sts of Rnd 16.\nPut the eyes between Rnds 6 and 7, 12 stitches apart over the top of the head.\n"
+)
+
+
+def bib(found: Pattern) -> tuple[float, float]:
+    """How far to the left and how far ahead the cream stitches of a body lie, of all its stitches about its axis."""
+    spots = spots_in(build(found))
+    color = spots.built.graph.color
+    own = np.flatnonzero((spots.built.graph.part == 0) & (color.min(axis=1) > 190))
+    x = spots.layout[own].mean(0) - spots.layout[spots.built.graph.part == 0].mean(0)
+    return float(x[0]), float(x[2])
+
+
+def test_a_whale_lies_on_its_belly_with_its_flukes_at_its_end() -> None:
+    found = pattern(WHALE)
+    assert [p.name for p in found.parts] == ["BODY", "TAIL FLUKES"]
+    assert found.parts[0].up == "side"
+    left, ahead = bib(found)
+    assert ahead < 0.0 and abs(left) < 0.2 * abs(ahead)  # what was ahead is above when it lies
+    flukes = placed(found)["TAIL FLUKES"].spot
+    assert flukes.stitch is None and flukes.round >= 16.0
+
+
+def test_a_bib_of_what_stands_is_ahead() -> None:
+    words = (
+        WHALE[: WHALE.index("TAIL FLUKES")].replace("Start at the nose, with Blue.", "With Blue.")
+        + "HEAD (Blue)\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nSew the head to the top of the body.\n"
+    )
+    left, ahead = bib(pattern(words))
+    assert ahead > 0.0 and abs(left) < 0.2 * ahead
+
+
+def test_a_tail_of_two_lobes_is_pinched_along_them() -> None:
+    built = build(pattern(WHALE))
+    spots = spots_in(built)
+    record = replace(next(one for one in built.pattern.finish if isinstance(one, Placed)), flat=True)
+    end = end_of(built, spots, record)
+    first, last, half = spots.layout[end.nodes[0]], spots.layout[end.nodes[-1]], len(end.nodes) // 2
+    line = spots.layout[end.nodes[half - 1 : half + 1]].mean(0) - 0.5 * (first + last)
+    assert len(end.pinched) and abs(line[0]) > 2.0 * abs(line[2])
+
+
+def test_how_many_stitches_meet_is_no_place() -> None:
+    assert (
+        where(
+            plainly("sew the tail to the open end of the body, matching the 12 sts of rnd 13 to the 12 sts of rnd 31")
+        ).rounds
+        is None
+    )
+    assert where(plainly("sew the hat to the wall, 30 loops to 30 loops")).stitch is None
+    assert where(plainly("sew the fins to the sides along row 1, across rnds 14-18")).rounds == (14.0, 18.0, False)
+    assert where(plainly("sew the ears to the head between rnds 5 and 9, 8 sts apart")).rounds is not None

@@ -125,8 +125,24 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     ):
         return End(nodes, True, none, laid=True, disc=True)
     pinch = placed.flat and not rows
+    nodes = _along_lobes(spots, part, nodes) if pinch else nodes
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none
     return End(nodes, not rows and not placed.flat, pairs)
+
+
+def _along_lobes(spots: Spots, part: int, nodes: Array) -> Array:
+    """An end (M,) that is pinched, begun so that it is pinched along the two lobes that it goes on from: the flukes of a tail."""
+    begins = [k for k, r in enumerate(spots.built.rounds) if r.part == part and r.number == 1 and r.count]
+    if len(begins) != 2 or len(nodes) < 4:
+        return nodes
+    one, other = (spots.layout[spots.stitches(k)].mean(0) for k in begins)
+    half = len(nodes) // 2
+    lines = [
+        loop[half - 1] + loop[half] - loop[0] - loop[-1]
+        for k in range(len(nodes))
+        for loop in (spots.layout[np.roll(nodes, -k)],)
+    ]
+    return np.roll(nodes, -int(np.abs(np.array(lines) @ (other - one)).argmax()))
 
 
 def _closing(spots: Spots, part: int) -> Array:

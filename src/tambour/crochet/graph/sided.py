@@ -1,5 +1,5 @@
 """Sided: a body stands so that a pair of parts that are crocheted into one of its rounds hangs at its sides, and a tall one
-on an oval has a wide side ahead; a tail that is crocheted in hangs at its back.
+on an oval has a wide side ahead; a tail that is crocheted in hangs at its back; a bib in another yarn is ahead, or below where it lies.
 
 Where a round begins, words do not say, and in the hand it wanders: what is counted from there is right as the pair is left and right.
 """
@@ -24,6 +24,8 @@ _OVAL, _TALL = 1.25, 0.65
 _TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)(?![^\W\d_])")
 TAILS = frozenset(("tail", "schwanz", "queue", "cola", "staart"))
 """What hangs at the back, by the last word of its name."""
+_BAND, _BANDED, _ROUND = (0.2, 0.48), 0.25, 12
+"""A bib is a stretch of another yarn that takes such a share of a round, in so many of a part's rounds of so many stitches or more."""
 LEAST, MOST = 0.25, 0.75
 """A limb has such a share of a round that is shared out between two,"""
 _SHARED = 16
@@ -47,6 +49,11 @@ def sided(spots: Spots, x: Array) -> Array:
         if part not in done:
             done.add(part)
             x = _turned(spots, x, part, spots.last(part), 0.5 * math.pi)
+    for part in range(len(spots.built.parts)):
+        if part not in done and (bib := _bib(spots, x, part)) is not None:
+            done.add(part)
+            lies = spots.up(part) in ("side", "back")  # what was ahead is above then, and the belly below
+            x = _turned(spots, x, part, spots.last(part), math.atan2(*bib[::-1]) + (0.5 if lies else -0.5) * math.pi)
     for (name, number), pair in pairs.items():
         part = spots.parts[name]
         k = spots.round_at(part, int(number))
@@ -126,6 +133,36 @@ def _pillows(spots: Spots, x: Array) -> list[int]:
             if deep > _OVAL * wide and high > _TALL * deep:
                 found.append(part)
     return found
+
+
+def _bib(spots: Spots, x: Array, part: int) -> tuple[float, float] | None:
+    """Which way a bib of a printed toy's body or head looks, across and ahead; None where it has none."""
+    built = spots.built
+    graph, section = built.graph, built.pattern.parts[built.parts[part].section]
+    p = graph.parts[part]
+    if not built.pattern.terms or p.stuffing <= 0.0 or spots.in_rows[part] or not _TRUNK.search(section.name.lower()):
+        return None
+    rings = [
+        spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part and not r.aside and r.count >= _ROUND
+    ]
+    found: dict[tuple[int, ...], list[Array]] = {}
+    for nodes in rings:
+        color = graph.color[nodes]
+        own, of, many = np.unique(color, axis=0, return_inverse=True, return_counts=True)
+        of = of.reshape(-1)
+        if (
+            len(own) == 2
+            and np.count_nonzero(of != np.roll(of, 1)) == 2
+            and _BAND[0] <= many.min() / len(nodes) <= _BAND[1]
+        ):
+            off = x[nodes] - x[nodes].mean(0)
+            way = off[of == many.argmin()].mean(0)
+            found.setdefault(tuple(own[many.argmin()].tolist()), []).append(way / max(math.hypot(way[0], way[2]), 1e-9))
+    ways = max(found.values(), key=len, default=[])
+    if len(ways) < max(_BANDED * len(rings), 4):
+        return None
+    way = np.mean(ways, axis=0)
+    return (float(way[0]), float(way[2])) if math.hypot(way[0], way[2]) >= 0.5 else None
 
 
 def _tail(spots: Spots, x: Array, name: str) -> tuple[float, float] | None:

@@ -58,6 +58,7 @@ class Spots:
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
         self._stitches: dict[int, Array] = {}
         self._fronts: dict[int, float] = {}
+        self._ups: dict[int, str] = {}
         made: dict[int, int] = {}  # part → its last round with stitches
         into = np.diff(built.graph.anchor_offsets)
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
@@ -81,6 +82,17 @@ class Spots:
             if section.copies == 1:
                 known[section.name] = k
         return known
+
+    def up(self, part: int) -> str | None:
+        """Which way a part stands, as far as that is known: its end on top, its start, or on its side."""
+        return self._ups.get(part) or self.built.pattern.parts[self.built.parts[part].section].up
+
+    def stand(self, part: int, up: str) -> None:
+        """Takes a part to stand so: what lies with its belly below is laid out anew."""
+        if self.up(part) != up:
+            self._ups[part] = up
+            self.__dict__.pop("layout", None)
+            self._fronts.clear()
 
     @cached_property
     def layout(self) -> Array:

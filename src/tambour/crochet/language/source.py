@@ -22,7 +22,7 @@ class Source:
     spaced : the same of chains that are a stitch and a space ("ch 4 (counts as dc, ch 1)") → chains of the space
     solid : no chain is known to stand in the round below: its spaces are those between stitches
     marked : which stitch of the round below is marked, from 0 as the round to come meets it; None where that is not known
-    each : a count has shown that "2 sc in next 2 sts" means two in each
+    each : a count has shown that "2 sc in next 2 sts" means two in each; in_one : "2sc" is an abbreviation for an increase
     """
 
     text: Text
@@ -42,6 +42,7 @@ class Source:
     marked: int | None = None
     solid: bool = False
     each: bool = False
+    in_one: bool = False
 
     def error(self, message: str, hint: str, span: Span) -> None:
         """Something wrong at ``span``."""

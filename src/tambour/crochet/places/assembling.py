@@ -85,6 +85,11 @@ SCULPTED: Final = re.compile(
     r"\b(?:tightening|tighten|indent\w*|sculpt\w*|indentation)\b[^.;]*\beyes?\b|\beyes?\b[^.;]*\b(?:tightening|indentations?|sculpting)\b"
 )
 """A thread that draws the eyes into a head, and puts nothing anywhere."""
+WHEN: Final = re.compile(
+    r"\b(?:after|before|once|until|while)\b[^,.;]*\b(?:has|have|is|are|been|sewing|attaching)\b[^,.;]*"
+    r"|,\s*with\s+(?:a|an|the|one|its)\s+(?:\w+\s+){1,3}(?:peep|stick|show|pok|look)\w*\s+out\b[^.;]*"
+)
+"""When something is done, and what is seen then, which says no place: "after the head has been sewn to the neck", ", with a paw peeping out"."""
 
 
 def assembling(text: str, names: list[str]) -> bool:

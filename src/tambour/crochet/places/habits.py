@@ -105,7 +105,20 @@ _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         r"\b(\w+)\s+on\s+the\s+(?:left|right)(?:\s+side)?,?\s+(?:and\s+)?\1\s+on\s+the\s+(?:left|right)(?:\s+side)?\b",
         r"\1 on each side",
     ),
+    (
+        rf"\b(?:the\s+|all\s+)?({QUANTITY})\s+(?:{ST}|loops?)\s+of\s+((?:the\s+)?\w+)\s+(to|onto|on)\s+(?:the\s+|all\s+)?\1\s+(?:{ST}|loops?)\s+of\s+(?=the\b)",
+        r"\2 \3 ",
+    ),
     # how a piece runs, and what of its own edge is sewn, is no place
+    (
+        rf",?\s*\b(?:match|line up|align)(?:ing|ed)?\s+(?:up\s+)?(?:the|its|their|all)?\s*(?:{QUANTITY}\s+)?(?:{ST}|loops?)\b[^.;]*?\b(?:to|with|and)\b[^.;]*",
+        "",
+    ),
+    (rf",?\s*\b({QUANTITY})\s+(?:{ST}|loops?)\s+(?:to|on|with)\s+\1\s+(?:{ST}|loops?)\b", ""),
+    (
+        r"\b(?:along|by|at)\s+(?:its\s+|their\s+|the\s+)?(?:row 1|first row)\b(?=.*\b(?:rnds?|rounds?|r)\s?\d)",
+        "along its edge",
+    ),
     (
         r"\b(?:(?:running|going|lying|placed)\s+)?(?:lengthwise\s+)?(?:from\s+)?(?:the\s+)?front\s+to\s+(?:the\s+)?back\b",
         "lengthwise",

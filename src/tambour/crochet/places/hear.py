@@ -27,6 +27,7 @@ from tambour.crochet.places.assembling import (
     THREAD,
     TO,
     UNDER_HEAD,
+    WHEN,
 )
 from tambour.crochet.places.groups import ALIKE, BEFORE, BY_IT, HANDLED, again, apart, below_eyes, grouped
 from tambour.crochet.places.habits import plainly, unlisted
@@ -72,10 +73,6 @@ _OF_BODY: Final = frozenset(("arm", "leg", "wing", "fin", "tail", "belly"))
 _FROM_MEET: Final = re.compile(r"\b(?:from|below|under) (?:the place )?(?:where|at which)\b")
 _BACK, _FAR = 240, 4
 """So many letters, and one sentence fewer, before a sentence tell what "them" are in it."""
-_WHEN: Final = re.compile(
-    r"\b(?:after|before|once|until|while)\b[^,.;]*\b(?:has|have|is|are|been|sewing|attaching)\b[^,.;]*"
-)
-"""When something is done, which says no place: "after the head has been sewn to the neck"."""
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|level with|in line with|"
@@ -185,7 +182,7 @@ class Heard:
             return
         low = sentence.text.lower().replace("\n", " ")
         low = BEFORE.sub("and sew them", low)
-        low = _WHEN.sub(lambda m: " " * len(m[0]), low)
+        low = WHEN.sub(lambda m: " " * len(m[0]), low)
         if ALL.search(low):
             self.everything = True
             return

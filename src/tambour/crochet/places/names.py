@@ -295,6 +295,8 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
                 len(name),
                 part.noun,
             )
+            if n == 1 and name[begin] in ("centre", "center", "middle") and len(name) > 1:
+                continue  # "at the centre back" is no "Bow centre"
             if noun and begin + n > part.noun and _elsewhere(name[max(begin, part.noun) : begin + n], part, parts):
                 continue  # "the top of the head" is no "fleece on top of head" where there is a head
             if n and noun:

@@ -42,6 +42,7 @@ class Stand:
     def set_up(self, part: int, up: str) -> None:
         """Stand a part that others stand on: its end on top, its start, or on its side."""
         own = self.nodes(part)
+        self.spots.stand(part, up)
         self.x[own] = standing(self.spots.layout[own], up)
         self._turned(part)
 

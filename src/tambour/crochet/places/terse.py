@@ -42,7 +42,7 @@ _SIDES: Final = (
     r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
 )
 _AT: Final = re.compile(
-    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|(?:left|right)(?: and (?:the )?(?:left|right))? (?:from|of|side)|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
+    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|(?:left|right)(?: and (?:the )?(?:left|right))? (?:from|of|side)|(?:just|right|directly|straight) (?:behind|below|above|under|over|at|on|next)|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|top|bottom|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
 _MANY: Final = re.compile(
     rf"^\s*(?:the\s+)?{QUANTITY}\s+(?:[a-z]+\s+){{0,2}}?(?:on|at|to|onto|around|over|between|along|down|in the middle)\b(?!\s+(?:each|both|either)).*[,;]|^\s*(?:the\s+)?{QUANTITY}\s.*\band\s+(?:the\s+)?(?:{QUANTITY}|rest|others)\b"
@@ -75,6 +75,10 @@ _SORTS: Final = frozenset(
     "front back hind fore left right inner outer upper lower side other first second baby".split()
 )
 _LONG: Final = 200
+_NOUN: Final = re.compile(
+    r"(?<=\s)(?:(?<=\d )|(?<=one )|(?<=each )|(?<=a )|(?<=same )|(?<=two ))stitch\b|\bcent(?:er|re)(?=\s+(?:top|bottom|front|back|of)\b)(?!\s+(?:front|back|top|bottom)?\s*\w+\s+(?:on|over)\b)"
+)
+"""Words that are verbs elsewhere: "one stitch outside", "center top of head"."""
 
 _FEATURE: Final = re.compile(
     r"^\W*(?P<bare>(?:(?:the|a|an|two|three|four|\d+|short|small|little|tiny|black|brown|pink|white|red|rosy)\s+)*"
@@ -94,18 +98,19 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     """Where a verb is left out of a sentence, and which: sewn on what names a part, embroidered what names a motif of a face; None where
     none is wanted. names : of the parts that are known."""
     low = text.lower()
-    if (eyes := _EYES.match(low)) is not None and not VERB.search(low):
+    verb = VERB.search(_NOUN.sub(lambda m: "-" * len(m[0]), low))
+    if (eyes := _EYES.match(low)) is not None and not verb:
         return eyes.end() - 1, " placed"
     feature = _FEATURE.match(low)
-    if feature is not None and not VERB.search(low) and (where(low).says or re.search(r"\beyes?\b", low)):
+    if feature is not None and not verb and (where(low).says or re.search(r"\beyes?\b", low)):
         return feature.start("bare"), "embroider "
     known = _words(tuple(names))
-    bare = _BARE.match(low) if len(low) < _LONG and not VERB.search(low) and not _WORKS.search(low) else None
+    bare = _BARE.match(low) if len(low) < _LONG and not verb and not _WORKS.search(low) else None
     if bare is not None and where(low).says:
         words = [one(w) for w in bare["name"].split()]
         if all(w in known or kind_of(w) or w in _SORTS for w in words) and words[-1] not in _SORTS:
             return bare.start("bare"), "sew "
-    if VERB.search(low):
+    if verb:
         return None
     if (covers := _COVERS.match(low)) is not None and (kind_of(one(covers["name"])) or one(covers["name"]) in known):
         return covers.end("name"), " sewn over"
@@ -145,8 +150,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     if _MANY.match(low[at:]) and not _WORKS.search(low[at:]) and any(w in known or kind_of(w) for w in words):
         return at, " sew"
     part = any(w in known or kind_of(w) for w in words)
-    verb = " sew at" if re.match(rf"\s*(?:{_ROUND}|{_SIDES}\b)", low[at:]) else " sew"
-    return (at, verb) if part and _AT.match(low[at:]) else None
+    put = " sew at" if re.match(rf"\s*(?:{_ROUND}|{_SIDES}\b)", low[at:]) else " sew"
+    return (at, put) if part and _AT.match(low[at:]) else None
 
 
 def _put_there(found: re.Match[str], known: frozenset[str]) -> tuple[int, str] | None:

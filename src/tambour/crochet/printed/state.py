@@ -18,7 +18,7 @@ from tambour.crochet.printed.parts.looped import Loops
 from tambour.crochet.printed.parts.naming import heading_above, made_of, spoken_of
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.restated import lettered
-from tambour.crochet.printed.rounds.doubts import numbered_each
+from tambour.crochet.printed.rounds.doubts import in_one, numbered_each
 from tambour.crochet.printed.rounds.moved import Moved
 from tambour.crochet.printed.sheet.banners import banners
 from tambour.crochet.printed.sheet.bilingual import first
@@ -38,6 +38,7 @@ from tambour.crochet.printed.sheet.rims import rimmed
 from tambour.crochet.printed.sheet.runs import listed, parted
 from tambour.crochet.printed.sheet.spirals import spirals
 from tambour.crochet.printed.sheet.stepped import stepped
+from tambour.crochet.printed.sheet.strung import strung
 from tambour.crochet.printed.sheet.tables import tabled
 from tambour.crochet.printed.sheet.tallies import tallied
 from tambour.crochet.printed.sheet.titled import titled
@@ -165,7 +166,7 @@ class State:
         self.rows = tongues.put(source.text.text, self.rows, self.language.code)
         if not TERMS[self.language.code].prints(source.text.text):
             self.rows = unlumped(pages(source.text.text, self.rows, self.vocabulary), self.vocabulary)
-            source.each = numbered_each(source.text.text)
+            source.each, source.in_one = numbered_each(source.text.text), in_one(source.text.text)
         explained(self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(source.text.text):
             called = TERMS[self.language.code].words["round"][0].lower()
@@ -179,7 +180,7 @@ class State:
             )
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
-            self.rows = rimmed(inlined(self.rows, self.vocabulary), terms.words["round"][0].lower())
+            self.rows = rimmed(inlined(strung(self.rows), self.vocabulary), terms.words["round"][0].lower())
             self.rows = changes(self.rows, self.vocabulary, terms)
             self.rows = tallied(self.rows, self.vocabulary, terms.words["round"][0].lower())
             self.rows = numerals(self.rows, terms.stitches["sc"][0].lower(), terms.words["ring"][0])

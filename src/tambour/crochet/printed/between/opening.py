@@ -43,7 +43,11 @@ def founding(tokens: list[Token]) -> bool:
         return False
     if any(t.kind == "key" and t.value == "ring" and t.word not in ("mc", "mr") for t in tokens):
         return len(tokens) <= _LONGEST
-    chained = any(t.kind == "stitch" and t.value == "ch" and c.whole(k + 1) is not None for k, t in enumerate(tokens))
+    chained = any(
+        t.kind == "stitch" and t.value == "ch" and (c.whole(k + 1) is not None or c.whole(k - 1) is not None)
+        for k, t in enumerate(tokens)
+        if k
+    ) or (first.value == "ch" and c.whole(1) is not None)
     return chained and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
 
 
@@ -111,7 +115,7 @@ def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
     if (
         not at
         or at == len(tokens)
-        or tokens[0].value == "in"  # "In Vanilla, ch 10"
+        or (tokens[0].value == "in" and tokens[0].word != "inside")  # "In Vanilla, ch 10"
         or tokens[0].kind not in ("word", "ordinal", "key")
         or (not tokens[0].capital and tokens[0].kind != "ordinal" and tokens[at].word != ":")
     ):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -30,7 +31,7 @@ from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.parts.copied import copies_of
 from tambour.crochet.printed.parts.formed import forms
 from tambour.crochet.printed.parts.hued import hued
-from tambour.crochet.printed.parts.naming import over
+from tambour.crochet.printed.parts.naming import family, over
 from tambour.crochet.printed.sheet.notes import (
     BELOW,
     MODES,
@@ -44,6 +45,7 @@ from tambour.crochet.printed.sheet.notes import (
 from tambour.crochet.printed.sheet.wrapping import step
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token, rows
+from tambour.crochet.printed.wordings.shells import means
 from tambour.crochet.printed.yarns.colors import numbered
 from tambour.crochet.printed.yarns.yarnlists import headed as headed_by
 from tambour.crochet.printed.yarns.yarnlists import worn
@@ -76,7 +78,7 @@ _ALL: Final = r"(?:it|them|him|her|this|everything|all|it all|(?:all )?(?:the |y
 _TOGETHER: Final = re.compile(
     r"[\W\d_]*(?:(?:let['’]?s|how|to|time|now|it['’]?s|the|and|for|of|steps?|final|last|toy) ){0,4}(?:assembl\w*|"
     rf"(?:sewing|putting|joining|piecing|attaching|stitching) (?:[\w'’]+ ){{0,3}}?(?:together|up|pieces|parts|everything)|(?:sew|put|join|piece|stitch) {_ALL}(?: together| up)|"
-    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish)"
+    r"mak(?:e|ing) up|finishing(?: (?:touches|off|up|it|steps?|instructions))?|(?:final|last) (?:steps?|touches|details|assembly)|construction|to finish|together(?=\W*$))"
     r"(?: [\w'’]+){0,3}[^\w.]*",
     re.IGNORECASE,
 )
@@ -92,6 +94,10 @@ _ADVISED: Final = re.compile(
     re.IGNORECASE,
 )
 """How a line begins that says of care or of rights, and nothing that is made: "CARE: Sponge clean"."""
+_TIP: Final = re.compile(
+    r"\W*(?:top |handy |small )?(?:tips?(?: (?:and|&) tricks)?|hints?|advice)[ \t]*[:–—-]", re.IGNORECASE
+)
+"""How a line begins that advises: "TIPS - Curls too floppy? Go down a hook size."."""
 _NEAR: Final = 40  # characters between a heading and another under it
 _PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
 _PLANNED: Final = frozenset(
@@ -106,11 +112,21 @@ _JOININGS: Final = frozenset(("joining", "join", "assembling"))
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
 
+_KEPT: Final = ("care", "copyright")
+"""What a line is about behind whose colon nothing is worked."""
+
+
 def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     """A line that begins no round."""
     whole = Span(row.start, row.end)
     if not tokens or ([t.kind for t in tokens] == ["stitch", "mark"] and tokens[1].word == ":"):
         p.passed.append(whole)  # "Sc2tog:", above how it is made
+        return
+    if len(tokens) > 2 and tokens[0].value == "notes" and tokens[0].word in _KEPT and tokens[1].word in (":", "-"):
+        p.passed.append(whole)  # "Care: machine wash at 30 degrees"
+        return
+    if means(row):
+        p.passed.append(whole)  # it is put where its name stands
         return
     text = p.source.text.text
     if p.mode == "assembly" and (labelled := step(text, row)):
@@ -129,7 +145,12 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     prefaced(p, row, tokens)
     if forms(p, line, whole) or tallied(p, line, whole):
         return
-    if p.parts and (_ADVISED.match(line) or (_ADVICE.fullmatch(line) and not founds(p, near=2))):
+    works = any(a.kind == "number" and b.kind == "stitch" for a, b in pairwise(tokens))
+    if p.parts and (
+        _ADVISED.match(line)
+        or (p.mode in ("assembly", "notes") and _TIP.match(line) and not works)
+        or (_ADVICE.fullmatch(line) and not founds(p, near=2))
+    ):
         if _ADVICE.fullmatch(line):
             p.mode, p.advised, p.heading = "notes", True, None
         p.advice.append(whole)
@@ -270,6 +291,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             p.heading = found if found.strong or (pasted and _close(p)) else None  # "Head", and its rounds below
         elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None or _far(p, found):
             p.over = over(p.heading, found) or p.over
+            p.early["family"] = family(p.heading, found)
             p.heading = found
             headed_by(p)
         else:

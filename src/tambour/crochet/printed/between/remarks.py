@@ -40,6 +40,12 @@ _COUNTED: Final = re.compile(
 )
 """What counts what is there already, "Each arm has 20 sc (12 + 8)", "There must be 24 stitches", and what shifts the beginning of a round where it has
 wandered, "if necessary, crochet or undo a few stitches"."""
+_ABOUT: Final = re.compile(
+    r"\W*(?:all |both )?(?:worked|made|crocheted|done) (?:as a pair|in pairs|together|separately|one after the other|at the same time)"
+    r"(?:,? so (?:that )?[^.;:\d]*)?\W*",
+    re.IGNORECASE,
+)
+"""What is said of parts behind their heading: "(worked as a pair, so that they match)"."""
 _MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))
 
 
@@ -47,7 +53,13 @@ def remark(text: str, tokens: list[Token]) -> bool:
     """Whether a sentence that no reading understands instructs nothing: a page's foot, what a toy is like, a step's number, what comes
     of the work. Whatever names stitches to work, or rounds to repeat, is none."""
     said = text[tokens[0].start : tokens[-1].end]
-    if _foot(said, tokens) or _TIP.search(said) or _ASIDE.fullmatch(said) or _COUNTED.fullmatch(said):
+    if (
+        _foot(said, tokens)
+        or _TIP.search(said)
+        or _ASIDE.fullmatch(said)
+        or _COUNTED.fullmatch(said)
+        or _ABOUT.fullmatch(said)
+    ):
         return True
     if SCULPTED.search(said.lower()):
         return True
@@ -72,7 +84,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
         return False
     if verb < 0:
         return first.word in ("you'll", "you're", "they're", "it'll", "that's", "that")
-    return first.kind in ("word", "stitch") or first.value in ("round", "row", "part", "each", "eyes", "color")
+    return first.kind in ("word", "stitch") or first.value in ("round", "row", "part", "each", "eyes", "color", "side")
 
 
 def yarned(tokens: list[Token]) -> bool:

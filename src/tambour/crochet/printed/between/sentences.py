@@ -33,7 +33,7 @@ from tambour.crochet.printed.between.stops import founded, held, same_row, turne
 from tambour.crochet.printed.between.unread import NOT_UNDERSTOOD, instructs, left_over, otherwise
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.heads import STARS
-from tambour.crochet.printed.parts.bridged import bridging, second_made
+from tambour.crochet.printed.parts.bridged import bridging, second_made, worked_on
 from tambour.crochet.printed.parts.counted import counts_last
 from tambour.crochet.printed.parts.established import established
 from tambour.crochet.printed.parts.formed import complete, worked_in
@@ -169,7 +169,7 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         p.passed.append(Span(tokens[0].start, tokens[-1].end))
         return True
     tokens = turned(tokens, TERMS[p.language.code].heard.said.get("through", ()))
-    if laid(p, tokens) or bridging(p, tokens) or second_made(p, tokens):
+    if laid(p, tokens) or bridging(p, tokens) or second_made(p, tokens) or worked_on(p, tokens):
         return True
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end

@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.between.unread import NOT_UNDERSTOOD
 from tambour.crochet.printed.parts.part import Draft
@@ -21,7 +22,10 @@ _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
 _LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
 _NEAR: Final = 300  # characters within which two legs are joined
-_JOINED: Final = re.compile(r"\b(?:join|connect|attach|unite)", re.IGNORECASE)
+_JOINED: Final = re.compile(
+    r"\b(?:join|connect|attach|unite)|\b(?:sc|dc|stitch|sts?|around|along|of)\s+(?:the\s+)?(?:first|1st|other)\s+(?:leg|foot|arm|horn|ear|tail|fluke|head)\b",
+    re.IGNORECASE,
+)
 _MAKE: Final = frozenset("make crochet work repeat".split())
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
@@ -57,7 +61,7 @@ def second_made(p: State, tokens: list[Token]) -> bool:
     kept = any(
         (a.value == "not" and b.value in ("fasten off", "cut", "break")) or b.word in ("cut", "break")
         for a, b in pairwise(tokens)
-    )
+    ) or (any(t.word in ("keep", "leave") for t in tokens) and tokens[-1].word == "attached")
     if draft is None or kind not in _KINDS or not kept or not draft.begun() or draft.copies > 1 or draft.merged:
         return False
     if any(_is(d, kind) and d.begun() and not d.merged for d in p.parts if d is not draft):
@@ -66,8 +70,43 @@ def second_made(p: State, tokens: list[Token]) -> bool:
     if not _JOINED.search(behind):
         return False  # it is only named: told
     draft.twin = kind
+    own = next((k for k in range(rank, len(tokens) - 2) if _more(tokens[k : k + 3], draft)), 0)
+    if own:
+        draft.other_end = (_worked_on(tokens[own : own + 3]),)
     p.passed.append(Span(tokens[0].start, tokens[-1].end))
     return True
+
+
+def worked_on(p: State, tokens: list[Token]) -> bool:
+    """Takes "Work 7 more sc", "Work 1 more sc, then fasten off" behind a spiral's rounds for stitches past the end of its last one: as many as
+    bring the hook to where it goes on; whether a sentence says so."""
+    draft = p.parts[-1] if p.parts else None
+    if draft is None or p.heading is not None or len(tokens) < 3 or not _more(tokens[:3], draft):
+        return False
+    rest = [t for t in tokens[3:] if t.word not in (",", ".") and t.value != "and"]
+    ends = len(rest) == 1 and rest[0].value == "fasten off"
+    if rest and not ends:
+        return False
+    draft.end = (_worked_on(tokens[:3]),)
+    draft.lines += draft.end
+    if ends:
+        draft.off, draft.ends = rest[0].span, "open"
+    return True
+
+
+def _more(tokens: list[Token], draft: Draft) -> bool:
+    """Whether three words say so many more stitches as leave some of a spiral's round: "7 more sc"."""
+    number, more, stitch = tokens
+    whole = bool(draft.lines) and draft.lines[-1].in_round and draft.loose is None and not draft.flat
+    few = number.kind == "number" and isinstance(number.value, int) and 0 < number.value < (draft.edge or 0)
+    return (whole or bool(draft.end)) and few and more.value == "more" and stitch.value in ("sc", "hdc", "dc")
+
+
+def _worked_on(tokens: list[Token]) -> Line:
+    """Three such words as a line of its own, that is no round."""
+    span = Span(tokens[0].start, tokens[-1].end)
+    assert isinstance(tokens[0].value, int)
+    return Line((Action(tokens[2].value, span, tokens[0].value, tokens[0].span),), span, False)
 
 
 def over_two(

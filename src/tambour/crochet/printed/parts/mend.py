@@ -215,6 +215,7 @@ _EASED: Final = {
     "the round has no stitch to join to": (("join",), "a round of chains and slip stitches alone is not joined"),
     "there is no edge to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
     "rows have no opening to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
+    "there is no edge to turn": (("turn",), "no stitch is left here to turn on"),
     "FO needs at least two stitches": (("fo",), "so few stitches are not drawn together"),
 }
 """What the hook refuses → the actions that it can do without, and what is told of that."""
@@ -345,4 +346,6 @@ def _gap(line: Line, at: Span, count: int, fair: bool = False) -> tuple[Item, ..
 def _inside(span: Span | None, line: Line) -> bool:
     if span is None:
         return False
+    if any(isinstance(i, Action) and i.name == "turn" and i.span == span for i in line.items):
+        return True  # the turn before a row is worked at the end of the one below it
     return line.stated_span == span or (line.span.start <= span.start and span.end <= line.span.end)

@@ -66,6 +66,18 @@ def over(above: Heading | None, below: Heading) -> str:
     return above.name if above is not None and not part(above.name) and part(below.name) else ""
 
 
+def family(above: Heading | None, below: Heading) -> str:
+    """What a heading names that stands right over that of the first of its like: "FRONT LEGS" over "First leg"; "" where it names no such."""
+    if above is None:
+        return ""
+    kinds = [{kind_of(one(w)) for w in re.findall(r"[^\W\d_]+", h.name.lower())} - {""} for h in (above, below)]
+    ranked = any(w in _RANKED for w in below.name.lower().split())
+    return above.name if ranked and len(kinds[0]) == 1 and kinds[0] == kinds[1] else ""
+
+
+_RANKED: Final = frozenset("first 1st one second 2nd left right".split())
+
+
 def version(parts: Sequence[tuple[str, str]], name: str, words: str) -> int | None:
     """Which of the parts, each its name and what stands over it, "as given for Version 1" means in the part ``name``: the one of that name
     there, or the only one; None where none is meant."""

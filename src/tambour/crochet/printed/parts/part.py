@@ -73,6 +73,8 @@ class Draft:
     loose : its last line, where a sentence worked part of a round only, the stitches below it, and the round before
     loops : those that its rounds, or some of them, are worked into; worn : which of several lists its yarns' letters are of
     twin : what it is one of, where a sentence has the second made before its rounds go on over both: "leg"
+    family : the heading over its own that names it and its like: "FRONT LEGS" over "First leg"
+    end, other_end : the stitches past its last round that bring the hook to where it goes on, and those of the second one
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -112,6 +114,9 @@ class Draft:
     loose: tuple[Line, int | None, int] | None = None
     worn: int = 0
     twin: str = ""
+    family: str = ""
+    end: tuple[Line, ...] = ()
+    other_end: tuple[Line, ...] = ()
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""

@@ -258,6 +258,7 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
     waiting: list[Token] = []  # what comes before the first piece is named
     chain = 0
     over: set[int] = set()
+    under = False  # "along the other side of the chain" was said before the stitches that are worked there
     for clause in clauses:
         at = [k for k in range(len(clause) - 1) if _rank(clause[k]) is not None and one(clause[k + 1].word) == noun]
         pieces = {which(_rank(clause[k]) or 0) for k in at}
@@ -280,6 +281,9 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
                 continue
         if not rest:
             continue
+        if chain and not pieces and len(rest) == 1 and rest[0].value == "side":
+            under = True
+            continue
         slipped = rest[0].value == "slst" and not any(t.kind == "number" for t in rest)
         if slipped and pieces and runs and pieces != {runs[-1].piece}:
             over = pieces  # "Sl st in first sc of First Leg": the yarn goes over to it
@@ -293,9 +297,12 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
             continue
         if pieces and rest[0].value == "join" and stitches and stitches[-1].value != "slst":
             rest = [stitches[-1]]  # "join to first leg with a sc"
-        spaces = any(t.value == "ch" and k and rest[k - 1].value != "ch" for k, t in enumerate(rest) if k) or any(
-            t.value in ("foundation", "side") for t in rest
+        spaces = (
+            under
+            or any(t.value == "ch" and k and rest[k - 1].value != "ch" for k, t in enumerate(rest) if k)
+            or any(t.value in ("foundation", "side") for t in rest)
         )
+        under = False
         rest = _counted_alone(rest, not pieces) if pieces or (spaces and chain) else rest
         stop = [Token("mark", ".", rest[-1].end, rest[-1].end)]
         if pieces or (spaces and chain and stitches):
@@ -401,6 +408,8 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
     lines = [replace(one, number=None) for line in other.lines for one in line.rounds()] if other is not here else []
     own = [one for line in here.lines for one in line.rounds()]
     lines = lines or [replace(one, number=None) for one in own]
+    if other is here and here.other_end:
+        own = [*(line for line in own if line not in here.end), *here.other_end]
     if draft is not here:
         draft.lines += own
         draft.last = here.last
@@ -415,8 +424,11 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
     draft.also = tuple(sorted({*draft.also, *(d.span for d in (here, other) if d is not draft)}, key=lambda s: s.start))
     draft.copies, draft.off, draft.chain, draft.ends = 1, None, None, ""
     draft.copies_span = None
+    family = here.family or other.family
     draft.name = (
-        draft.name
+        family
+        if family
+        else draft.name
         if draft is not here or draft.twin
         else f"{noun}s and body".upper()
         if here.name.isupper()

@@ -9,7 +9,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.rounds.asides import aside, things
-from tambour.crochet.printed.rounds.counts import count, ends_with_number, makes, slips
+from tambour.crochet.printed.rounds.counts import closing_count, count, ends_with_number, makes, slips
 from tambour.crochet.printed.rounds.courses import FLATTENED
 from tambour.crochet.printed.rounds.doings import BETWEEN, by_hand, closed_flat, doing, drawn_tight, until_stitches
 from tambour.crochet.printed.rounds.marked import taken
@@ -134,6 +134,7 @@ class Walk(Trade):
         self.body.shut = Span(c.tokens[at].start, c.tokens[end - 1].end)
         if begins[1:]:
             self.body.doings.append(c.tokens[at : begins[1] - 1])
+        c.at += closing_count(c, c.tokens[at:end], self.body.stated is not None)
         return True
 
     def hands(self) -> bool:

@@ -142,6 +142,7 @@ def count(r: Reader, found: list[Item]) -> bool:
     while (
         c.look() is not None
         and not c.mark(".", "(", "[", ";", "*", "**")
+        and not (c.mark(",") and c.key("color", ahead=1))  # "sc around - 15 sts, switch to White"
         and not (
             c.mark("-") and not (c.whole(1) is not None and (named := c.look(-1)) is not None and named.value == "ch")
         )
@@ -189,6 +190,15 @@ def _listed(r: Reader, first: int) -> int:
         total += many if kind.value not in ("ch", "skip", "picot") else 0
         ahead += 2 + c.key("stitch", ahead=ahead + 2)
     return total or first
+
+
+def closing_count(c: Cursor, said: list[Token], counted: bool) -> int:
+    """How many tokens from the cursor on are the count of stitches ``said`` that close a piece, and none of its round, whether that was ``counted``
+    or not: "Work 9 sc through both layers to close. (9 sts)"; 0 where there is none."""
+    many = c.whole(2) if c.mark(".") and c.mark("(", "[", ahead=1) else None
+    close = next((k for k in (3, 4) if c.mark(")", "]", ahead=k)), 0)
+    closing = counted or any(t.kind == "number" and t.value == many for t in said)
+    return close if many is not None and closing else 0
 
 
 def slips(item: Item) -> bool:

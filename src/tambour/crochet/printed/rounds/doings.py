@@ -184,6 +184,8 @@ def works(tokens: list[Token], at: int) -> bool:
         )
     )
     prior = tokens[at - 2] if at > 1 else None
+    if token.value == "ch" and before is not None and before.value == "side" and not (after and after.kind == "number"):
+        return False  # "worked around both sides of a chain"
     if before is not None and before.value in ("in", "each") and before.kind == "key":
         return False  # "knot fringe into each sc around"
     if before is not None and before.value in ("row", "round") and prior is not None and prior.kind == "word":

@@ -53,6 +53,11 @@ READINGS: Final = {
 _PLAIN: Final = r"\b(?:sc|hdc|dc|tr) in (?:the )?next (\d+) (?:sc|hdc|dc|tr|sts?|stitches)\b"
 _BARE: Final = re.compile(rf"(?<![\d\w] ){_PLAIN}")
 _SAME: Final = re.compile(rf"\b(\d+) {_PLAIN}")
+_GLUED: Final = re.compile(
+    r"^\W*2(sc|dc|hdc)\s*[-–—=:]+\s*(?:work\s+|make\s+)?(?:2|two)\s*(?:\1|(?:single|double|half double) crochets?)\s+(?:in|into)\b",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""An abbreviation for an increase: "2sc - 2 sc in next st"."""
 _MANY: Final = 4  # "4 sc in next 4 sts" is one in each: nobody makes sixteen of four
 _BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto", "edge", "tospace")
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
@@ -72,6 +77,11 @@ def numbered_each(words: str) -> bool:
     words = " ".join(words.lower().split())
     same = [int(m[1]) for m in _SAME.finditer(words) if m[1] == m[2]]
     return sum(int(m[1]) > 1 for m in _BARE.finditer(words)) > 1 and all(n < _MANY for n in same)
+
+
+def in_one(words: str) -> bool:
+    """Whether a text has a number grown to a stitch for an increase, as its abbreviations say."""
+    return _GLUED.search(words) is not None
 
 
 def tried(
@@ -112,7 +122,7 @@ def decided(
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     unworked = any(t.word == "unworked" for t in tokens) and any(t.kind == "key" and t.value == "leave" for t in tokens)
-    usual = frozenset(("places",)) if source.each else frozenset()
+    usual = frozenset((*(("places",) if source.each else ()), *(("one glued",) if source.in_one else ())))
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
         choices = choices ^ usual

@@ -19,7 +19,7 @@ _ITEMS: Final = rf"{_ITEM}(?: (?:, and|,|and|\.) {_ITEM}){{0,8}}"
 _NAME: Final = r"(?:(?:beginning|beg|corner|small|large|single|double) )?(?:\w+ )?(?:shells?|v(?: -)?(?= (?:st|stitch)\b)|vst|fan|fans|block|group|petal|scallop)(?: (?:- )?(?:st|stitch))?"
 _PLACE: Final = r"(?:the )?(?:same|next|one|indicated|designated|specified|given|each|st|stitch|sp|space|1)\b"
 _MEANS: Final = re.compile(
-    rf"^(?:\W+ )?(?P<name>{_NAME})(?: [(\[] (?P<short>[\w -]+?) [)\]])?(?: (?:=|:|-) (?P<long>{_NAME}))? (?:=|:|-|\() (?:= )?(?:work |make )?(?:[(\[] )?(?P<items>{_ITEMS})(?: [)\]])? (?:all )?(?:in|into) {_PLACE}"
+    rf"^(?:\W+ )?(?:special (?:stitch|stitches|sts?|abbreviations?) (?:-|:) )?(?P<name>{_NAME})(?: [(\[] (?P<short>[\w -]+?) [)\]])?(?: (?:=|:|-) (?P<long>{_NAME}))? (?:=|:|-|\() (?:= )?(?:work |make )?(?:[(\[] )?(?P<items>{_ITEMS})(?: [)\]])? (?:all )?(?:in|into) {_PLACE}"
 )
 _MADE: Final = re.compile(
     rf"(?:[(\[] )?(?P<items>{_ITEMS})(?: [)\]])? (?:all )?in (?:the )?(?:next|same|first|last|each) [\w -]{{2,24}}? [(-] (?P<name>{_NAME}) (?:made|completed|complete|formed)\b"
@@ -54,6 +54,16 @@ def shelled(rows: list[Row]) -> list[Row]:
         + "?"
     )
     return [row if not row.tokens or _explains(row) else _put(row, said, known) for row in rows]
+
+
+def means(row: Row) -> bool:
+    """Whether a line does no more than say what such a name means: "Special stitch - Shell: work 5 dc in same st"."""
+    return (
+        bool(row.tokens)
+        and not _LED.isdisjoint(t.word for t in row.tokens)
+        and _explains(row)
+        and sum(t.word == "." for t in row.tokens[:-1]) == 0
+    )
 
 
 def _words(row: Row) -> str:

@@ -16,6 +16,7 @@ _COUNTS: Final = (
     r"ch(?:ain)?(?: \.)? \d (?:does not|doesn't|do not|don't) count as (?:a |an )?(?:sts?|stitch|sc|hdc|dc|tr)"
 )
 _WEIGHT: Final = "(?:(?:sport|dk|worsted|aran|bulky|chunky|fingering)(?: weight)? )?"
+_NAME: Final = r"(?!(?:sts?|stitch|stitches|sc|hdc|dc|tr|ch|chain|loops?|rounds?|rnds?|rows?|hook|at)\b)[a-z]+"
 _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 
 SAID: Final = (
@@ -96,6 +97,7 @@ SAID: Final = (
     (rf"(?:work(?:ed|ing)? )?(?:in )?(?:the )?({_LOOPS}) for (?:the |this )?(?:whole|entire|complete|full) {_ROUND}(?: ?[-:,.])?", "in {1} ,"),
     (rf"(around|across|each (?:{_STITCH})|\d+ (?:{_KIND})) \. (?:this|the) {_ROUND} is worked in (?:the )?({_LOOPS})(?= ?[.(\[]| ?$)", "{1} in {2}"),
     # yarns
+    (rf"(?:starting|beginning|start|begin) (with|in|using) ({_NAME}(?: {_NAME})?) at (?:the )?(?:{_NAME})(?: {_NAME})?(?= ?[,.;:)]| ?$)", "{1} {2}"),
     (rf"(?<=: )({HUE}) {_ROUND} :", "with {1} ,"),
     (rf"((?:switch|change|changing|with|in|using|use|to) (?:{HUE})) / (?:{HUE})(?: (?=yarn)|(?= ?[.,;:]| ?$))", "{1}"),
     (rf"(?<=\( )({HUE}) {_ROUND}(?= \))", "{1}"),
@@ -128,6 +130,11 @@ SAID: Final = (
     (r"(?<=: )(?:\( )?(?:this|the) (?:round|rnd|row) is worked in (?:the )?(blo|flo|back loops only|front loops only) [.)](?= \S)", "in {1} ,"),
     (r"^yarn colou?r (\d|[a-h])(?: \.)?$", "color {1}"),
     (r"change (?:the )?yarn to colou?r (\d|[a-h])", "change to color {1}"),
+    (r"(eyes? (?:between|in|into|at|on) [^.]*?) \. there (?:must|should|will|has to) be (\d+) (sts|stitches|sc) between (?:them|the eyes|both(?: eyes)?)", "{1} , with {2} {3} between them"),
+    (r"((?:change|switch) to [a-z]{3,}) and (?:stay|keep|continue|go on|carry on)(?: on)? (?:with|in) [a-z]{3,}(?: (?:until|till|to) (?:the )?(?:very )?end)?(?= ?[.;]| ?$)", "{1}"),
+    (r"((?:begin|start) with [a-z]{3,}) for (?:the|his|her|its) [a-z]+(?: [a-z]+)?(?= ?[.;]| ?$)", "{1}"),
+    (rf"^({HUE}) , (?:worked )?(?:from )?(?:the )?(?:bottom|top|base|neck|nose|crown|tip) (?:up |down )?to (?:the )?[a-z]+(?= ?\.?$)", "{1}"),
+    (r"\( (?:that|this)(?: is| makes)? (?=\d)[^()]* \)", ""),
     (r"((?:change|switch|go back|return) (?:to|back to) (?:[a-z]+ )?[a-z]{3,}) , (?:it|this|that|these|which)(?:'s| will| is| are| was| makes?| becomes?) [^.,;:()]*(?= ?[.!]| ?$)", "{1}"),
     (r"(?:^|(?<=[.!] ))(?:now |then )?(?:next|further|onwards?|from (?:here|now)(?: on)?)(?: on)? ,? ?(?:we |you )?(?:work |crochet |use )?(?:only|just) (?:with |in )?([a-z]{3,})(?= ?\.?$)", "change to {1}"),
     (r"(?:we |you )?(cut|hide|break) (?:off )?(?:the |your )?thread", "{1} the yarn"),
@@ -147,7 +154,7 @@ SAID: Final = (
     (r"(?:,|and|then) (?:repeat|rep) \* ?- ?\* (?:(?:un)?till?|to|through) (?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "repeat from * around"),
     (r"(\*) ?[.,] ?(?:repeat|rep) \* ?- ?\* (?:(?:(?:un)?till?|til|to|through) )?(?:the )?(?:very )?end(?: of (?:the |this )?(?:round|rnd|row))?", "{1} around"),
     (r"(?:on|in) (?:the )?last (?:round|rnd|row) ,? ?sc (?:in|into) (?:the )?first (?:sc|st|stitch)(?: of (?:the |this )?(?:round|rnd|row))?(?= ?[.;]| ?$)", "marker"),
-    (r"(sc|work|crochet) (?:down|along|up) (?:the )?(?:chain|ch|row)(?= ?[.,;(\[]| ?$)", "{1} across"),
+    (r"(?<!\d )(sc|work|crochet) (?:down|along|up) (?:the )?(?:chain|ch|row)(?= ?[.,;(\[]| ?$)", "{1} across"),
     (r"(?:make|do|work) (?:a |1 |one )?(ss|sl st|slst|slip stitch)(?: -| ,)? only (?:in|into) (?:the )?(?:first|1st|next) (st|stitch)", "{1} in next {2}"),
     (r"(colou?r) (?:\d|[a-h]) \( ((?!skip|see)[a-z]+(?: [a-z]+)?) \)(?= (?:for|:)| ?[.,;]| ?$)", "{1} {2}"),
     (r"^(?:the )?colou?r (?:scheme|plan|order|sequence) (?:for|of) (?:(?:rnds?|rounds?|rows?) )?\d+ (?:-|to) \d+(?: (?:rnds?|rounds?|rows?))? ?[:.]?$", "marker"),
