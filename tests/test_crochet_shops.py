@@ -10,7 +10,7 @@ from tests.crochet_read import counts, pattern, unread
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import spots_in
-from tambour.crochet.language.finishes import UNSEEN, Placed
+from tambour.crochet.language.finishes import UNSEEN, Eye, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.habits import plainly
 from tambour.crochet.places.said import where
@@ -215,7 +215,7 @@ WHALE = (
     "Rnd 2: inc x 4 [8]\nRnds 3-4: sc around [8]\nFO. Make the second fluke exactly the same way, but do NOT fasten off.\n"
     "Rnd 5: ch 2, sc in any st of the first fluke and in the next 7 sts, sc in each of the 2 ch, sc in all 8 sts of the second fluke, sc along the other side of the 2 ch [20]\n"
     "Rnd 6: (3 sc, dec) x 4 [16]\nRnd 7: (2 sc, dec) x 4 [12]\n\n"
-    "TOGETHER\nSew the flukes to the open end of the body, matching the 12 sts of Rnd 7 to the 12 sts of Rnd 16.\nPut the eyes between Rnds 6 and 7, 12 stitches apart over the top of the head.\n"
+    "TOGETHER\nSew the flukes to the open end of the body, matching the 12 sts of Rnd 7 to the 12 sts of Rnd 16.\nPut the eyes between Rnds 6 and 7, 8 stitches apart over the top of the head.\n"
 )
 
 
@@ -234,6 +234,12 @@ def test_a_whale_lies_on_its_belly_with_its_flukes_at_its_end() -> None:
     assert found.parts[0].up == "side"
     left, ahead = bib(found)
     assert ahead < 0.0 and abs(left) < 0.2 * abs(ahead)  # what was ahead is above when it lies
+    spots = spots_in(build(found))
+    eyes = [one.spot for one in found.finish if isinstance(one, Eye)]
+    at = [spots.layout[list(spots.place(spot).nodes)].mean(0) for spot in eyes]
+    assert (
+        len(at) == 2 and abs(at[0][0] + at[1][0]) < 1.0 and min(p[2] for p in at) > -1.0
+    )  # over the top, and not on the belly
     flukes = placed(found)["TAIL FLUKES"].spot
     assert flukes.stitch is None and flukes.round >= 16.0
 

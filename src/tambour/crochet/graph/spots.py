@@ -91,7 +91,8 @@ class Spots:
         """Takes a part to stand so: what lies with its belly below is laid out anew."""
         if self.up(part) != up:
             self._ups[part] = up
-            self.__dict__.pop("layout", None)
+            for known in ("layout", "turns", "_wandered"):
+                self.__dict__.pop(known, None)
             self._fronts.clear()
 
     @cached_property
