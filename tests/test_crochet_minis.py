@@ -368,3 +368,8 @@ def test_all_of_a_round_between_asterisks_goes_around() -> None:
 def test_a_gap_is_closed_with_stitches_through_both_layers() -> None:
     ((_, _, made),) = _made("ARMS (make 2)\nR1: 6 sc inside of magic ring.\nR2: 6 sc\nClose gap with 3 sc.\n")
     assert made[-1] == 3
+
+
+def test_a_row_behind_its_number_is_no_abbreviation() -> None:
+    words = "Bird\n\nBODY\n1.row: 6 sc in MR (6)\n2.row: inc*6 (12)\n3.row: (1sc,inc)*6 (18)\n4.row: (2sc,inc)*6 (24)\n5.row – 6.row: all around sc (24) (2 rows)\n7.row: (2sc,dec)*6 (18)\n"
+    assert counts(words) == [6, 12, 18, 24, 24, 24, 18]

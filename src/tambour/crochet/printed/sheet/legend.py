@@ -35,9 +35,12 @@ def _parted(tokens: list[Token]) -> list[list[Token]]:
     depth = 0
     for k, token in enumerate(tokens):
         depth += (token.word in ("(", "[")) - (token.word in (")", "]"))
-        ended = (
-            token.word == "." and k + 2 < len(tokens) and tokens[k + 2].word in _SIGNS
-        )  # "dis – decrease. aum – increase"
+        ended = (  # "dis – decrease. aum – increase", and no "12. row: 6 sc"
+            token.word == "."
+            and 0 < k < len(tokens) - 2
+            and tokens[k - 1].kind != "number"
+            and tokens[k + 2].word in _SIGNS
+        )
         if depth <= 0 and (
             ended or token.word in _PARTS or (token.word == "/" and not token.glued and len(made[-1]) > 2)
         ):
