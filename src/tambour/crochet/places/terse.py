@@ -75,10 +75,10 @@ _SORTS: Final = frozenset(
     "front back hind fore left right inner outer upper lower side other first second baby".split()
 )
 _LONG: Final = 200
-_NOUN: Final = re.compile(
-    r"(?<=\s)(?:(?<=\d )|(?<=one )|(?<=each )|(?<=a )|(?<=same )|(?<=two ))stitch\b|\bcent(?:er|re)(?=\s+(?:top|bottom|front|back|of)\b)(?!\s+(?:front|back|top|bottom)?\s*\w+\s+(?:on|over)\b)"
+_CENTER: Final = re.compile(
+    r"\bcent(?:er|re)(?=\s+(?:top|bottom|front|back|of)\b)(?!\s+(?:front|back|top|bottom)?\s*\w+\s+(?:on|over)\b)"
 )
-"""Words that are verbs elsewhere: "one stitch outside", "center top of head"."""
+"""A place, and no verb: "center top of head"."""
 
 _FEATURE: Final = re.compile(
     r"^\W*(?P<bare>(?:(?:the|a|an|two|three|four|\d+|short|small|little|tiny|black|brown|pink|white|red|rosy)\s+)*"
@@ -98,7 +98,7 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     """Where a verb is left out of a sentence, and which: sewn on what names a part, embroidered what names a motif of a face; None where
     none is wanted. names : of the parts that are known."""
     low = text.lower()
-    verb = VERB.search(_NOUN.sub(lambda m: "-" * len(m[0]), low))
+    verb = VERB.search(_CENTER.sub(lambda m: "-" * len(m[0]), low))
     if (eyes := _EYES.match(low)) is not None and not verb:
         return eyes.end() - 1, " placed"
     feature = _FEATURE.match(low)

@@ -38,7 +38,6 @@ from tambour.crochet.printed.parts.hung import hang_on
 from tambour.crochet.printed.parts.mend import Found, agreed, mended
 from tambour.crochet.printed.parts.naming import nameless_is
 from tambour.crochet.printed.parts.part import Draft
-from tambour.crochet.printed.parts.redyed import spotted
 from tambour.crochet.printed.parts.resumed import resume
 from tambour.crochet.printed.sheet.notes import Heading, plain_name
 from tambour.crochet.printed.state import Height, plain_height
@@ -108,7 +107,6 @@ class Printed(Headed):
             headed(self, draft)
             self.palette.wear(draft.worn)
             draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text, above)
-            draft.lines = spotted(draft.lines)
             above = draft.lines
         sections = tuple(
             one
@@ -311,7 +309,8 @@ class Printed(Headed):
         if any(t.kind == "key" and t.value == "join" for t in whole[1:3]) and self.parts:
             head = replace(head, numbers=())  # "1st joining rnd" goes on with what is there
         tokens = _counted_off(head, tokens)
-        head = self._part_of(resume(self, head, span.start), tokens, span)
+        resume(self, head, span.start)
+        head = self._part_of(head, tokens, span)
         draft = self.parts[-1]
         wants = self.ringed is not None and head.numbers[:1] == (1,) and not draft.begun()
         if self.ringed is not None and wants and not any(t.value in ("ring", "hook", "loop") for t in tokens):

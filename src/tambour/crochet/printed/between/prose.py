@@ -85,12 +85,12 @@ _TOGETHER: Final = re.compile(
 """A line that heads the steps by which parts become a toy: "Let's put him together!", "How to assemble your bear"."""
 _ADVICE: Final = re.compile(
     r"\W*(?:(?:an?|some|few|more|my|our|useful|helpful|handy|final|extra|general|and|&) )*(?:(?:tips?|tricks?|hints?)(?: (?:and|&|\+) (?:tips?|tricks?|hints?))?|advice|"
-    r"(?:washing(?: and care)?|care|safety)(?: (?:instructions|guide|notes?|tips))?|variations?|copyright(?: notice)?|licen[cs]e|terms of use|about the (?:designer|author|pattern)|thank(?:s| you))\W*",
+    r"(?:washing(?: and care)?|care|safety)(?: (?:instructions|guide|notes?|tips))?|copyright(?: notice)?|licen[cs]e|terms of use|about the (?:designer|author|pattern)|thank(?:s| you))\W*",
     re.IGNORECASE,
 )
 """A line that heads what is advised when the toy is made: "A few tips"."""
 _ADVISED: Final = re.compile(
-    r"\W*(?:(?:washing|care|laundry)(?: (?:instructions|guide|notes?|tips))?[ \t]*[:–—-]|(?:author|designer|licen[cs]e|copyright|all rights)\b)",
+    r"\W*(?:(?:washing|care|laundry)(?: (?:instructions|guide|notes?|tips))?[ \t]*[:–—-]|(?:author|designer|licen[cs]e)[ \t]*[:–—-]|(?:copyright|all rights)\b)",
     re.IGNORECASE,
 )
 """How a line begins that says of care or of rights, and nothing that is made: "CARE: Sponge clean"."""
@@ -112,18 +112,11 @@ _JOININGS: Final = frozenset(("joining", "join", "assembling"))
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
 
-_KEPT: Final = ("care", "copyright")
-"""What a line is about behind whose colon nothing is worked."""
-
-
 def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     """A line that begins no round."""
     whole = Span(row.start, row.end)
     if not tokens or ([t.kind for t in tokens] == ["stitch", "mark"] and tokens[1].word == ":"):
         p.passed.append(whole)  # "Sc2tog:", above how it is made
-        return
-    if len(tokens) > 2 and tokens[0].value == "notes" and tokens[0].word in _KEPT and tokens[1].word in (":", "-"):
-        p.passed.append(whole)  # "Care: machine wash at 30 degrees"
         return
     if means(row):
         p.passed.append(whole)  # it is put where its name stands

@@ -15,7 +15,7 @@ from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import MOST_AT_ONCE, Head
 from tambour.crochet.printed.parts.foundations import founded
 from tambour.crochet.printed.parts.looped import WHICH, Loops
-from tambour.crochet.printed.parts.redyed import colored, handed_on
+from tambour.crochet.printed.parts.redyed import colored, handed_on, spotted
 from tambour.crochet.printed.parts.risen import begun, closes, facing, lifted_last, words_of
 from tambour.crochet.printed.rounds.curls import looped, rooted
 from tambour.crochet.printed.rounds.items import (
@@ -395,7 +395,7 @@ class Draft:
 
     def section(self, source: Source) -> Section:
         """The part, its end closed or open."""
-        lines = self._sorted()
+        lines = spotted(self._sorted())
         lines = lowered(lines, self.edges, source, self.flat)
         most = MOST_AT_TIP if self.shrunk else _CLOSED
         small = self.edge is not None and 2 <= self.edge <= most and self.edge < self.peak

@@ -1,5 +1,5 @@
-"""Printed patterns, strung: rounds in one line behind each other, or behind their part's name, whose heads end in a dash as all of the text's do ("Ears (make 2):
-Round 1 - 6 sc in ring <6>. Round 2 - inc x 6 <12>"), each put on a line of its own."""
+"""Printed patterns, strung: rounds behind each other in one line, or behind their part's name, whose heads end in a dash as all of the text's do ("Ears (make 2):
+Round 1 - 6 sc in ring <6>. Round 2 - inc x 6 <12>"), with the colon that such heads within a line have in most texts."""
 
 from __future__ import annotations
 
@@ -15,34 +15,23 @@ _RUN: Final = 4
 
 
 def strung(rows: list[Row]) -> list[Row]:
-    """``rows`` with every such round on its own line."""
-    if sum(bool(row.tokens) and _head(row.tokens, 0) for row in rows) < _RUN:
+    """``rows`` with a colon behind every such head that a line does not begin with."""
+    if sum(_dash(row.tokens, 0) > 0 for row in rows) < _RUN:
         return rows
     made: list[Row] = []
     for row in rows:
         tokens = row.tokens
-        cuts = [k for k in range(1, len(tokens)) if tokens[k - 1].word in _ENDS and _head(tokens, k)]
-        if not cuts:
-            made.append(row)
-            continue
-        first = _bare(tokens[: cuts[0]])
-        made.append(replace(row, tokens=first, end=first[-1].end))
-        for a, b in zip(cuts, [*cuts[1:], len(tokens)]):
-            own = _bare(tokens[a:b]) if b < len(tokens) else tokens[a:b]
-            made.append(Row(own, own[0].start, own[-1].end if b < len(tokens) else row.end))
+        dashes = {_dash(tokens, k) for k in range(1, len(tokens)) if tokens[k - 1].word in _ENDS} - {0}
+        said = [replace(t, word=":") if k in dashes else t for k, t in enumerate(tokens)]
+        made.append(replace(row, tokens=said) if dashes else row)
     return made
 
 
-def _head(tokens: list[Token], at: int) -> bool:
-    """Whether "Round 3 -" or "Rounds 3 to 9 -" stands at a token."""
-    if tokens[at].word not in _ROUNDS or not tokens[at].capital:
-        return False
+def _dash(tokens: list[Token], at: int) -> int:
+    """Where the dash stands behind "Round 3 -" or "Rounds 3 to 9 -" at a token; 0 where no such head does."""
+    if at >= len(tokens) or tokens[at].word not in _ROUNDS or not tokens[at].capital:
+        return 0
     k = at + 1
     while k < len(tokens) and (tokens[k].kind == "number" or tokens[k].word in ("to", "and", ",", "&")):
         k += 1
-    return at + 1 < k < len(tokens) - 1 and tokens[k].word == "-" and not tokens[k].glued
-
-
-def _bare(tokens: list[Token]) -> list[Token]:
-    """Words without the mark that only parts them from what follows."""
-    return tokens[:-1] if len(tokens) > 1 and tokens[-1].word in (":", ";") else tokens
+    return k if at + 1 < k < len(tokens) - 1 and tokens[k].word == "-" and not tokens[k].glued else 0

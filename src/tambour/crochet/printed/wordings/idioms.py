@@ -106,7 +106,7 @@ _IDIOMS: Final = tuple(
         (r"(?:knit|knitting) (\d+|a|one|around|in)", "{1}"),
         (r"in (?:one|1) (?:loop|column)", "in 1 st"),
         (r"in the same (?:loop|column)", "in same st"),
-        (r"to (?:the )?end of (?:the )?(?:row|round|circle)(?! \d)", "around"),
+        (r"(?<!way )to (?:the )?end of (?:the )?(?:row|round|circle)", "around"),  # "made in the same way to the end of Round 9" names it
         (r"(?:with|by) (?:a )?(?:connecting|half) (?:post|column|loop)", "with sl st"),
     )
 )  # fmt: skip
