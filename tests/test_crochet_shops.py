@@ -273,3 +273,35 @@ def test_how_many_stitches_meet_is_no_place() -> None:
     assert where(plainly("sew the hat to the wall, 30 loops to 30 loops")).stitch is None
     assert where(plainly("sew the fins to the sides along row 1, across rnds 14-18")).rounds == (14.0, 18.0, False)
     assert where(plainly("sew the ears to the head between rnds 5 and 9, 8 sts apart")).rounds is not None
+
+
+CAT = (
+    "Small cat\n\nBODY\nWith Ginger, ch 7.\nRnd 1: sc in 2nd ch from hook, sc in next 4 ch, 3 sc in last ch; on the other side: 4 sc, 2 sc in last ch [14]\n"
+    "Rnd 2: inc, 4 sc, inc x 3, 4 sc, inc x 2 [20]\nRnd 3: 1 sc, inc, 4 sc, (1 sc, inc) x 3, 4 sc, (1 sc, inc) x 2 [26]\n"
+    + "".join(f"Rnd {k}: 10 sc in Ginger, 4 sc in White, 12 sc in Ginger [26]\n" for k in range(4, 16))
+    + "FO. Stuff.\n\nHEAD (Ginger)\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nRnd 3: 12 sc [12]\n\n"
+    "FRONT LEGS (make 2)\nRnd 1: 5 sc in MR [5]\nRnds 2-5: 5 sc [5]\n\nCollar\nCh 21.\nRow 1: sc in 2nd ch from hook and in each ch across [20]\n\nBow\nCh 9.\nRow 1: sc in 2nd ch from hook and in each ch across, turn [8]\nRow 2: ch 1, 8 sc [8]\n\n"
+    "ASSEMBLY\nSew the head to the top of the body.\nSew the front legs over Rnd 11 of the body, centred on the bib, 2 sts apart.\n"
+)
+
+
+def test_a_narrow_bib_is_ahead_though_the_base_is_an_oval() -> None:
+    left, ahead = bib(pattern(CAT))
+    assert ahead > 0.0 and abs(left) < 0.2 * ahead
+
+
+def test_what_is_centred_on_the_bib_is_in_the_middle_of_the_front() -> None:
+    assert where(plainly("position the legs over round 17 of the body, centred on the bib")).words >= {
+        "middle",
+        "front",
+    }
+
+
+def test_a_distance_in_loops_is_one() -> None:
+    found = pattern(f"Hut\n\nWALL\n{TOWER}Insert eyes between R6 and R7, distance 6 loops. Fill.\nROOF\n{BALL}")
+    one, other = (eye.spot.stitch or 0.0 for eye in found.finish if isinstance(eye, Eye))
+    assert abs(one - other) == 6.0
+
+
+def test_a_bow_beside_a_collar_is_at_the_neck() -> None:
+    assert placed(pattern(CAT))["Bow"].spot.part == "BODY"

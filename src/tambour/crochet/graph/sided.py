@@ -24,7 +24,7 @@ _OVAL, _TALL = 1.25, 0.65
 _TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)(?![^\W\d_])")
 TAILS = frozenset(("tail", "schwanz", "queue", "cola", "staart"))
 """What hangs at the back, by the last word of its name."""
-_BAND, _BANDED, _ROUND = (0.2, 0.48), 0.25, 12
+_BAND, _BANDED, _ROUND = (0.15, 0.48), 0.25, 12
 """A bib is a stretch of another yarn that takes such a share of a round, in so many of a part's rounds of so many stitches or more."""
 LEAST, MOST = 0.25, 0.75
 """A limb has such a share of a round that is shared out between two,"""
@@ -45,15 +45,15 @@ def sided(spots: Spots, x: Array) -> Array:
         if math.hypot(way[0], way[2]) >= 0.5:
             angle = math.atan2(way[2], way[0])
             x = _turned(spots, x, part, shared, angle - math.pi * round(angle / math.pi))
-    for part in _pillows(spots, x):
-        if part not in done:
-            done.add(part)
-            x = _turned(spots, x, part, spots.last(part), 0.5 * math.pi)
     for part in range(len(spots.built.parts)):
         if part not in done and (bib := _bib(spots, x, part)) is not None:
             done.add(part)
             lies = spots.up(part) in ("side", "back")  # what was ahead is above then, and the belly below
             x = _turned(spots, x, part, spots.last(part), math.atan2(*bib[::-1]) + (0.5 if lies else -0.5) * math.pi)
+    for part in _pillows(spots, x):
+        if part not in done:
+            done.add(part)
+            x = _turned(spots, x, part, spots.last(part), 0.5 * math.pi)
     for (name, number), pair in pairs.items():
         part = spots.parts[name]
         k = spots.round_at(part, int(number))

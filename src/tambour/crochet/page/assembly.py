@@ -297,14 +297,15 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
         hers = {k: words for k, r in enumerate(records) if not onto(book, r) and (words := spoken_for(book, r))}
         made[i] += [words for words in dict.fromkeys(hers.values()) if words not in made[i]]
         ours = [r for k, r in enumerate(records) if r not in own and k not in hers and not onto(book, r)]
-        made[i] += map(book.called, book.spoken(ours))
+        mark = "› " if book.hers is not None else ""  # of words that are none of hers
+        made[i] += [f"{mark}{book.called(words)}" for words in book.spoken(ours)]
         for record in records:
             if isinstance(record, Placed) and onto(book, record):
                 name, host = (one.rpartition(".")[0] or one for one in (record.part, record.spot.part))
                 words = book.called(book.own["worked onto"].format(part=name, onto=host))
                 made[i] += [words] if words not in made[i] else []
         if ours and book.hers is not None:
-            made[i].append(book.own["guess"])
+            made[i].append(f"{mark}{book.own['guess']}")
         if not made[i] and not records and book.hers is not None:
             names = [n for n in _names(book, step).lower().split(", ") if n]  # "Tie on the scarf", at the end
             mine = [words for words in book.hers.closing if any(n in words.lower() for n in names)]

@@ -20,7 +20,7 @@ from tambour.crochet.places.layers import layers
 from tambour.crochet.places.likely import NAMELESS
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.onward import onward
-from tambour.crochet.places.said import Where
+from tambour.crochet.places.said import Where, where
 from tambour.crochet.places.toy import Assembled, versions
 from tambour.crochet.places.wear import clothes
 
@@ -313,9 +313,14 @@ class Assembly(Hosts):
                 self.made.apart.append(part.name)  # the body of another size of the toy
                 continue
             onto = main if (part.kind in ("head", "body")) else None
-            self.heard.puts.append(
-                Put(free, None if onto is None else (onto, 1), "", _NO_GUESS, Span(0, 0), order, True)
-            )
+            place = _NO_GUESS
+            if (
+                part.kind == "bow"
+                and not part.words[0].startswith("hair")
+                and any("collar" in p.words for p in self.parts)
+            ):
+                onto, place = main, where("at the front of the neck")  # "Collar and bow"
+            self.heard.puts.append(Put(free, None if onto is None else (onto, 1), "", place, Span(0, 0), order, True))
             order += 1
 
     def _paired(self) -> None:

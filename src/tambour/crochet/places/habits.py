@@ -70,7 +70,7 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         r"\1 stitches between",
     ),
     (
-        rf"\b(?:distance|apart)\s*(?:of|:|=|is|by)?\s+(?:about\s+|approx\w*\.?\s+)?({QUANTITY})\s*{ST}\b(?:\s+(?:between|apart)\b)?",
+        rf"\b(?:distance|apart)\s*(?:of|:|=|is|by)?\s+(?:about\s+|approx\w*\.?\s+)?({QUANTITY})\s*(?:{ST}|loops?)\b(?:\s+(?:between|apart)\b)?",
         r"\1 stitches apart",
     ),
     (
@@ -91,6 +91,10 @@ _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     (
         r"\b(?:on |in |to |at )?(?:the )?(?:between|in between) (?:the |its |his |her |their )?shoulders?(?: ?blades)?\b",
         "to the upper back of the body",
+    ),
+    (
+        r"\bcent(?:red|ered)\s+on\s+(?:the\s+|its\s+|his\s+|her\s+)?(?:bib|belly|chest|tummy|front)\b",
+        "in the middle of the front",
     ),
     # one to each side, said of each
     (
