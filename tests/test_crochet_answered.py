@@ -150,3 +150,13 @@ def test_parts_that_she_numbers_keep_their_numbers() -> None:
 def test_the_sign_from_which_something_is_repeated_stays() -> None:
     text = f"Mole\n\n{HEAD}\nEDGING\nJoin red to any loop at the brim of the head.\n*Pull up a long loop and twist it.\nMiss a loop.\nRep from * around.\nFasten off.\n"
     assert "*Pull up a long loop and twist it." in printed(text)
+
+
+def test_a_list_of_materials_places_nothing() -> None:
+    text = f"Mole\n\nMATERIALS\nStuffing, pins, needle, and a button for the ear\n\n{HEAD}{EAR}"
+    assert any(line.startswith("› Sew EAR to HEAD") for line in ours(text))
+
+
+def test_rows_in_back_loops_end_without_a_word_of_both() -> None:
+    text = "Mole\n\nSCARF\nCh 13.\nRow 1: sc in 2nd ch from hook and in each ch to end. (12)\nRows 2 to 6: turn, ch 1, sc in BLO to end. (12) Fasten off.\n"
+    assert "both loops" not in printed(text).lower()

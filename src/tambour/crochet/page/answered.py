@@ -66,7 +66,8 @@ def spoken_for(book: Book, record: Finish) -> str:
     )
     heads = [at for part in pattern.parts for at in (part.span, *part.also)]
     below = min((at.start for at in heads if at.start > mine.span.start), default=len(pattern.text.text))
-    for m in _PIECE.finditer(pattern.text.text):
+    first = min(at.start for at in heads)  # her materials name pins, and a button for the collar
+    for m in _PIECE.finditer(pattern.text.text, first):
         if any(meet(Span(*m.span()), at) for at in heads):
             continue
         low = english(m[0], pattern.terms).text.lower()

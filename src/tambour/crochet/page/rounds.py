@@ -81,8 +81,12 @@ class Rounds:
             rest = replace(line, pieces=line.pieces[1:] if len(line.pieces[0][0]) == 1 else line.pieces)
             return f"{self.items(rest, closing)} {self.phrases.say('fold')}"  # as people say it
         said = []
+        last = line.pieces[-1][0][-1] if line.pieces else None
+        idle = (
+            last if not self.exact and last is not None and last.what == "bl" else None
+        )  # the next line begins in both
         for unit, times in line.pieces:
-            unit = tuple(d for d in unit if not self._inner(d))
+            unit = tuple(d for d in unit if d is not idle and not self._inner(d))
             if not unit:
                 continue
             words = ", ".join(self.done(d, closing) for d in unit)
