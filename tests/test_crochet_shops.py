@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from tests.crochet_read import counts, pattern, unread
 
-from tambour.crochet.finish.sewing import end_of
+from tambour.crochet.finish.placing import Frames, level
+from tambour.crochet.finish.sewing import End, end_of, ways
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import spots_in
-from tambour.crochet.language.finishes import UNSEEN, Eye, Placed
+from tambour.crochet.language.finishes import UNSEEN, Eye, Placed, Spot
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.habits import plainly
 from tambour.crochet.places.said import where
@@ -305,3 +307,42 @@ def test_a_distance_in_loops_is_one() -> None:
 
 def test_a_bow_beside_a_collar_is_at_the_neck() -> None:
     assert placed(pattern(CAT))["Bow"].spot.part == "BODY"
+
+
+PONY = (
+    "Small pony\n\nHEAD\nWe begin at the muzzle.\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nRnd 3: (1 sc, inc) x 6 [18]\nRnds 4-12: 18 sc [18]\nRnd 13: (1 sc, dec) x 6 [12]\nRnd 14: dec x 6 [6]\n"
+    "Stuff, cinch closed.\n\nBODY\nWhite, bottom to neck.\nRnd 1: 6 sc in MR [6]\nRnd 2: inc x 6 [12]\nRnd 3: (1 sc, inc) x 6 [18]\nRnds 4-14: 18 sc [18]\nRnd 15: (1 sc, dec) x 6 [12]\nFO. Stuff.\n\n"
+    "FRONT LEGS (make 2)\nRnd 1: 5 sc in MR [5]\nRnds 2-5: 5 sc [5]\n\nBACK LEGS (make 2)\nRnd 1: 5 sc in MR [5]\nRnds 2-5: 5 sc [5]\n\n"
+    "HORN\nRnd 1: 4 sc in MR [4]\nRnds 2-4: 4 sc [4]\n\nEARS (make 2)\nRnd 1: 5 sc in MR [5]\nRnds 2-3: 5 sc [5]\n\nTAIL\nRnd 1: 5 sc in MR [5]\nRnds 2-4: 5 sc [5]\n\nASSEMBLY\n{0}\n"
+    "Horn: center top of head, over Rnds 8-9. Ears: either side of the horn, Rnd 11, 5 sts out from it. Tail: center back, Rnd 5.\n"
+    "Front legs: at the sides, Rnd 13. Back legs: Rnds 4-6.\n"
+)
+
+
+def test_rounds_beyond_what_a_part_is_said_to_be_on_are_the_heads() -> None:
+    on = placed(pattern(PONY.format("Sew the body to the underside of the head, over Rnds 8 to 12.")))
+    assert on["HORN"].spot.part == on["EARS.1"].spot.part == on["EARS.2"].spot.part == "HEAD"
+    assert on["EARS.1"].spot.round == 11.0
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Sew the body to the underside of the head, over Rnds 8 to 12.",
+        "Head: sew to the neck so the muzzle points forward, neck opening under Rnds 9-13.",
+    ],
+)
+def test_a_head_is_on_the_end_of_its_body_whatever_rounds_of_its_own_are_said(said: str) -> None:
+    on = placed(pattern(PONY.format(said)))
+    body = on.get("BODY")
+    assert body is not None and body.spot.part == "HEAD" and on["TAIL"].spot.part == "BODY"
+
+
+@pytest.mark.parametrize("lean", [-0.6, -0.3, -0.1, 0.1, 0.6])
+def test_what_hangs_under_a_toy_looks_ahead_whichever_way_the_fabric_leans(lean: float) -> None:
+    normal = np.array([0.0, -np.sqrt(1.0 - lean * lean), lean])
+    along, up = level(normal[None], np.array([[0.0, 1.0, 0.0]]))
+    frame = Frames(np.zeros((1, 3)), normal[None], along, up)
+    ring = End(np.arange(8), True, np.zeros((0, 2), int))
+    _, front = ways(Placed("BODY", Spot("HEAD", 8.0, 1.0)), ring, frame)
+    assert front[2] > 0.7

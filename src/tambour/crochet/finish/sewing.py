@@ -263,8 +263,8 @@ def ways(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tuple[
     n, along, up = frame.normals[0], frame.along[0], frame.up[0]
     a = math.radians(placed.across)
     if end.ring:
-        # The front looks down (on top: ahead); under the toy, where that would be backwards, up.
-        ahead = up if n[1] < UNDER else -up
+        # The front looks down (on top: ahead); under the toy, where fabric leans a little either way, ahead.
+        ahead = math.copysign(1.0, float(up[2])) * up if n[1] < UNDER else -up
         front = math.cos(a) * ahead + math.sin(a) * np.cross(n, ahead)
     else:
         front = math.cos(a) * along + math.sin(a) * up

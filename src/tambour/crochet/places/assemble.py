@@ -354,10 +354,11 @@ class Assembly(Hosts):
             if (main, 1) in p.copies:
                 # "Sew the body to the head": the head is put on the body.
                 if p.host is not None and len(p.copies) == 1 and p.host not in seen:
-                    part, k = p.host
+                    (part, k), rounds = p.host, p.where.rounds
                     copies = [(part, n) for n in ([k] if k else range(1, part.copies + 1))]
-                    p = replace(p, copies=copies, host=(main, 1))
-                    if not part.kind and p.where.rounds is None:
+                    own = replace(p.where, rounds=None, stitch=None)  # they are of what it is said to be put on
+                    p = replace(p, copies=copies, host=(main, 1), where=own)
+                    if not part.kind and rounds is None:
                         # What was said of the middle of a mat says nothing of the head on it: the mat is under it.
                         p.where = replace(p.where, stitch=None, beside=(), words=frozenset(("bottom",)))
                 else:

@@ -9,6 +9,7 @@ from typing import Final
 from tambour.crochet.places.hear import Put
 from tambour.crochet.places.likely import Likely
 from tambour.crochet.places.names import SIDED, Made
+from tambour.crochet.places.stand import numbers_of
 from tambour.crochet.places.usual import usual
 
 LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
@@ -77,6 +78,10 @@ class Hosts(Likely):
         """Gives a put its host: what was said, or what such parts are usually on; never what would hide it."""
         main, head = self.main, self.of_kind("head")
         kind, made = p.kind, p.copies[0][0]
+        if p.host is not None and p.host[0] not in (main, head) and self._past(p):
+            p.host = None  # "ears: either side of the horn, Round 19": of the head, a horn has eight
+        if kind == "head" and "neck" in p.where.words:
+            p.where = replace(p.where, rounds=None, stitch=None)  # those that are said are its own
         if (p.host is None or p.guess) and (after := self._named_after(made)) is not None:
             p.host = (after, 0 if after.copies == len(p.copies) else 1)  # the cup's handle is on the cup
         if p.host is None or p.host in p.copies:
@@ -123,6 +128,12 @@ class Hosts(Likely):
                 p.copies, p.host = p.copies[:1], (singles[0], 1)
             elif ears and ears[0].copies >= len(p.copies) and p.host[0] not in singles:
                 p.host = (ears[0], 0)
+
+    def _past(self, p: Put) -> bool:
+        """Whether the rounds that are said lie beyond the last one of what a part is said to be put on."""
+        assert p.host is not None
+        part = self.spots.parts[p.host[0].copy(max(1, p.host[1]))]
+        return p.where.rounds is not None and p.where.rounds[0] > numbers_of(self.spots, part)[1] + 1
 
     def _named_after(self, made: Made) -> Made | None:
         """The part by which another is called, that is neither worn nor a head or a body: "wheel flower", "cup handle"."""

@@ -26,7 +26,7 @@ _SEAT: Final = re.compile(
 )
 """A body that begins so stands on it, or sits, though it has four legs."""
 _UPWARDS: Final = re.compile(
-    r"\bbottom[- ](?:to[- ])?(?:the )?(?:up|top)\b|\b(?:up )?from (?:the )?(?:bottom|ground|base) up(?:wards?)?\b"
+    r"\bbottom[- ](?:to[- ])?(?:the )?(?:up|top|neck)\b|\b(?:up )?from (?:the )?(?:bottom|ground|base) up(?:wards?)?\b"
 )
 """What is worked from its lower end to its upper one."""
 _NECK: Final = 0.7
