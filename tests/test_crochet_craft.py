@@ -238,6 +238,19 @@ def test_building_that_steps_may_not_finish_is_told_before_the_first_of_them() -
         assert any("one by one may take" in w.message for w in progress.warnings) == told, steps
 
 
+def test_building_that_would_be_cut_short_is_told_before_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was told when all was done, and its last nodes were on a heap."""
+    from tambour.crochet.finish import shape
+
+    text, params = Text(": MR(6)\n: 6 inc\n: 6 dec\nFO\n"), CrochetParams(start="one-by-one")
+    for bound, told in ((1000, True), (shape.BUILDING, False)):
+        monkeypatch.setattr(shape, "BUILDING", bound)
+        progress, ahead = Progress(), []
+        monkeypatch.setattr(progress, "ahead", lambda *words, heard=ahead: heard.append(words[0]))
+        make(text, params, progress)
+        assert any("it will be cut short" in word for word in ahead) == told, bound
+
+
 def test_a_long_wait_is_told_before_it(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -117,6 +117,20 @@ def test_from_one_by_one_the_same_ball() -> None:
     assert apart(simulate(task(toy, "pressure", "one-by-one")).x, simulate(task(toy, "pressure")).x) < 0.02
 
 
+@pytest.mark.parametrize("stuffing", ["pressure", "centroid", "skeleton"])
+def test_a_ball_of_974_is_built_one_by_one(stuffing: str) -> None:
+    """A centroid came upon a stitch and threw it 125 off; its links threw all others to and fro, and 20,000 steps did not finish."""
+    made = simulate(task(toys.ball(9, 9), stuffing, "one-by-one", solver="steps", steps=8000))
+    assert len(made.x) == 974 and made.worked == 974 and not made.hurried
+    assert np.ptp(made.x, axis=0).max() < 40.0
+    pulled = np.sqrt(((made.x[toys.ball(9, 9).edges[:, 0]] - made.x[toys.ball(9, 9).edges[:, 1]]) ** 2).sum(1))
+    assert pulled.max() < 4.0  # it was 30 and more
+
+
+def test_building_before_settling_is_not_cut_short() -> None:
+    assert not simulate(task(toys.ball(9, 9), "pressure", "one-by-one")).hurried
+
+
 @pytest.mark.slow
 def test_a_goal_out_of_reach_is_told() -> None:
     made = simulate(task(toys.ball(3, 3), "pressure", tolerance=1e-300))

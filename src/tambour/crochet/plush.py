@@ -179,12 +179,8 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     if joining is not None and joining.joins:
         built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
     start = params.start or built.initializer or "rounds"
-    longest = len(built.graph) * params.wait_steps
-    if start == "one-by-one" and params.solver == "steps" and params.steps < longest:
-        progress.ahead(
-            f"building {len(built.graph)} nodes one by one may take {longest} steps: {params.steps} may not be enough",
-            "take more {--steps}, or let fewer {--wait-steps} pass before the next node",
-        )
+    if start == "one-by-one":
+        _told_ahead(len(built.graph), params, progress)
     with progress.stage("settle"):
         stuffing = params.stuffing or "pressure"
         # Sheets inside the piece are fabric, but do not bound its volume.
@@ -240,6 +236,24 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         for doubt in told(built, x, in_sight(piece), piece.upright):
             progress.warn(doubt)
     return piece
+
+
+def _told_ahead(nodes: int, params: CrochetParams, progress: Progress) -> None:
+    """Tell before the first step what building so many nodes one by one will not finish."""
+    from tambour.crochet.finish.shape import BUILDING
+    from tambour.crochet.settle.plain_steps import USUAL
+
+    usual, longest = nodes * min(USUAL, params.wait_steps), nodes * params.wait_steps
+    if params.solver == "steps" and params.steps < usual:
+        progress.ahead(
+            f"building {nodes} nodes one by one may take {usual} steps, {longest} at the most: {params.steps} may not be enough",
+            "take more {--steps}, or let fewer {--wait-steps} pass before the next node",
+        )
+    elif params.solver == "settle" and usual * (nodes // 2 + 200) > BUILDING:
+        progress.ahead(
+            f"building {nodes} nodes one by one takes too long: it will be cut short, and the last ones placed at once",
+            "{--start} rounds is faster",
+        )
 
 
 def mirrored(piece: Plush) -> Plush:

@@ -10,9 +10,16 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.settle.body import Body, State, displacement, grown
+from tambour.geometry.motion import length
 
 APART = 10.0
 """One by one: how far from one another the beginnings of parts are placed, in d."""
+USUAL = 8
+"""One by one: steps that a node takes in all but the oddest shapes; how many it may, is said."""
+LEAP = 1.0
+"""One by one: how far a node moves in a step at the most, in d, once one has had its time and is not at rest. A centroid that comes upon a
+stitch throws it a hundred stitches off, and links, which pull all but as hard however far it is, throw it and in the end all others to and
+fro for ever: of a ball of 974 none came to rest from the 692nd on, and each waited its whole time."""
 
 
 def step(body: Body, state: State, held: Array | None = None) -> Array:
@@ -71,7 +78,7 @@ class Building:
         self.force, self.wait, self.counts, self.every = force, wait, counts, every
         self.body = grown(body, 0)
         self.state = State(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(len(graph.parts)))
-        self.last, self.waited = 0.0, 0
+        self.last, self.waited, self.restless = 0.0, 0, False
         self._first = np.zeros(len(graph.parts) + 1, np.int64)
         self._starts = _starts(graph)
         made = graph.edges[graph.edge_kind != SEWN]
@@ -114,8 +121,13 @@ class Building:
         if not len(self.body):
             self.grow()
         if not self.done and (self.last < self.force or self.waited >= self.wait):
+            self.restless |= self.last >= self.force and len(self.body) > 0
             self.grow()
         moved = step(self.body, self.state, None if held is None else held[: len(self.body)])
+        if self.restless:
+            size = length(moved)
+            more = moved * np.maximum(1.0 - LEAP * self.d / np.maximum(size, 1e-9), 0.0)[:, None]
+            self.state.x, moved = self.state.x - more, moved - more
         self.last, self.waited = float(np.sqrt((moved[-1] ** 2).sum())), self.waited + 1
 
     def grow(self) -> None:
