@@ -41,6 +41,7 @@ from tambour.crochet.printed.sheet.stepped import stepped
 from tambour.crochet.printed.sheet.strung import strung
 from tambour.crochet.printed.sheet.tables import tabled
 from tambour.crochet.printed.sheet.tallies import tallied
+from tambour.crochet.printed.sheet.throughout import throughout
 from tambour.crochet.printed.sheet.titled import titled
 from tambour.crochet.printed.sheet.told import told
 from tambour.crochet.printed.sheet.twofold import once
@@ -187,6 +188,8 @@ class State:
         if self.language.code in ("us", "uk"):
             self.rows = divided(self.rows, self.vocabulary, TERMS[self.language.code].stitches["sc"][0].lower())
         self.rows = tabled(source.text.text, self.rows, self.vocabulary)
+        if self.language.code in ("us", "uk") and not TERMS[self.language.code].prints(source.text.text):
+            self.rows = throughout(self.rows, self.vocabulary, TERMS[self.language.code].stitches["sc"][0].lower())
         if not TERMS[self.language.code].prints(
             source.text.text
         ):  # ours has a round a line, and places such as "R1.8, st 2.8"

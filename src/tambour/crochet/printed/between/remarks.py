@@ -46,6 +46,11 @@ _ABOUT: Final = re.compile(
     re.IGNORECASE,
 )
 """What is said of parts behind their heading: "(worked as a pair, so that they match)"."""
+_COLUMN: Final = re.compile(
+    r"\W*(?:in |the )*(?:first|1st|left|second|2nd|middle|third|3rd|last|right) (?:column|number|figure|cell)\b(?! of)",
+    re.IGNORECASE,
+)
+"""What says how a table is read: "first column = round, second = its stitches"."""
 _MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))
 
 
@@ -59,6 +64,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
         or _ASIDE.fullmatch(said)
         or _COUNTED.fullmatch(said)
         or _ABOUT.fullmatch(said)
+        or _COLUMN.match(said)
     ):
         return True
     if SCULPTED.search(said.lower()):

@@ -15,9 +15,9 @@ _PARTS: Final = (",", ";", "|", "•", "·")
 _SHORT: Final = 5  # letters of a word that stands for another
 _KEYS: Final = frozenset(("ring", "stitch", "round", "hook", "back loops", "front loops"))
 _SHAPED: Final = re.compile(
-    r"(?:work )?(?P<into>[23]) (?:(?:sc|x) )?(?:in|into) (?:1|one|same|the same|1 st|one st|the same st|same st)|(?P<of>[23]) (?:(?:sc|x) )?(?:tog|together)"
+    r"(?:work )?(?P<into>[23]) (?:(?:sc|x) )?(?:in|into) (?:1|one|(?:1|one|the same|same) (?:st|stitch)|same|the same)|(?P<of>[23]) (?:(?:sc|x|sts?|stitch|stitches) )?(?:tog|together)"
 )
-"""What an increase or a decrease is, in figures: "V = 2 in 1", "A = 2 tog"."""
+"""What an increase or a decrease is, in figures: "V = 2 in 1", "A = 2 stitches together"."""
 _MOST: Final = 7  # words that say what one means
 
 

@@ -37,6 +37,7 @@ def tabled(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
             counted = titled is not None and titled[1]
             first = titled is not None and titled[0]
             ruled = any(t.word == "|" for t in rows[run[0]].tokens)
+            first = first or (titled is None and ruled and all(_counted(rows[at].tokens) for at in run))
             if hued := _hued(rows[k].tokens) if titled is not None and ruled else 0:
                 for at in run:
                     made[at] = _dyed(made[at], hued)
@@ -131,6 +132,12 @@ def _number(tokens: list[Token]) -> tuple[int, int, int] | None:
     return first.value, last, at
 
 
+def _counted(tokens: list[Token]) -> bool:
+    """Whether a row's second column holds the stitches of its round, and nothing else: ``7-9 | 21 | sc around``."""
+    bars = [k for k, t in enumerate(tokens) if t.word == "|"]
+    return len(bars) > 1 and bars[1] == bars[0] + 2 < len(tokens) - 1 and tokens[bars[0] + 1].kind == "number"
+
+
 def _set(text: str, rows: list[Row], at: int, end: int, counted: bool, first: bool, called: str) -> None:
     """Sets one row as the line of a round, which is ``called`` so, with its words that run on in the rows below it up to ``end``."""
     row = rows[at]
@@ -161,6 +168,6 @@ def _set(text: str, rows: list[Row], at: int, end: int, counted: bool, first: bo
         made += [
             Token("mark", "(", count.start, count.start),
             replace(count, glued=True),
-            Token("mark", ")", count.end, count.end, None, True),
+            Token("mark", ")", (ends := max(count.end, body[-1].end)), ends, None, True),
         ]
     rows[at] = replace(row, tokens=made)

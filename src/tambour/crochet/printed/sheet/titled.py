@@ -47,6 +47,8 @@ _BUSY: Final = (
     "close",
 )
 """What no remark beside a name says, and a sentence may."""
+_BEGUN: Final = ("from", "begin")
+"""What says where a part begins: "BODY, from the bottom"."""
 
 
 @dataclass
@@ -220,10 +222,14 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
         return False  # "make 2 each with A, B and C"
     if said[0].word in words.makes and one(said[-1].word) in name and any(t.word in words.heard.ordinals for t in said):
         return True  # "TAIL FLUKES - make the first fluke:"
-    if _known(said) and made.copies > 1 and piece.mark in (",", "+", "&"):
-        return True  # "Legs (2), Body and Head": what the second goes on with
-    if _known(said) and not piece.bracketed and piece.mark not in _DOTS:
-        return False  # "SNOUT, HEAD & TAIL" is one part
+    using = next((k for k, t in enumerate(said) if k and t.word in words.heard.using), 0)
+    if using and _known(said[:using]) and _hue(said[using:], words):
+        said = said[using:]  # "LEGS, 2x, foot in beige"
+    if _known(said) and not _hue(said, words):
+        if made.copies > 1 and piece.mark in (",", "+", "&"):
+            return True  # "Legs (2), Body and Head": what the second goes on with
+        if not piece.bracketed and piece.mark not in _DOTS and words.read(said)[0].value not in _BEGUN:
+            return False  # "SNOUT, HEAD & TAIL" is one part
     many = copies_of(said, words.heard, name) or (
         number_of(said[0], words.heard) if len(said) == 1 and piece.mark != "/" else 0
     )
@@ -435,4 +441,5 @@ def _plain(made: _Title, words: _Words) -> bool:
         return False
     if kind_of(one(name[words.noun].word)):
         return True
-    return made.framed and not made.led and not made.asides and name[0].capital and not _known(name[:-1])
+    dyed = all(_hue(aside, words) for aside in made.asides)
+    return made.framed and not made.led and dyed and name[0].capital and not _known(name[:-1])

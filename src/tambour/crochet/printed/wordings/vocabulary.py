@@ -217,6 +217,8 @@ class Vocabulary:
                 at += 2
                 continue
             found = self._longest(tokens, at)
+            if token.word in _ARTICLES and found is not None and found[1] == "stitch" and not _letter(tokens, at):
+                found = at + 1, "filler", None
             if token.word == "x" and (
                 token.kind == "mark" or found is None or (made and made[-1].word in (")", "]", "}", "*"))
             ):
@@ -324,6 +326,13 @@ class Vocabulary:
             number = Token("number", word[len(head) :], middle, token.end, int(word[len(head) :]), True)
             return [Token(kind, head, token.start, middle, value, token.glued), number]
         return [token]
+
+
+def _letter(tokens: list[Token], at: int) -> bool:
+    """Whether an article is the letter of a stitch, as a text may have it: "(3X, A, 3X)", "R8: A, 4X", and no "A small dish."."""
+    before, after = tokens[at - 1] if at else None, tokens[at + 1] if at + 1 < len(tokens) else None
+    listed = before is None or before.kind == "number" or before.word in ("(", "[", "*", ",", ":", "|", "/", "=")
+    return listed and (after is None or after.kind != "word" or after.word == "in")
 
 
 def _length(phrase: tuple[tuple[str, ...], str, Any]) -> int:
