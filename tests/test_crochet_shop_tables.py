@@ -62,3 +62,54 @@ def test_a_heading_between_rules_names_its_part_and_its_yarn(heading: str, name:
     assert [(p.name, p.copies) for p in found.parts][1:] == [(name, copies)]
     graph = build(found).graph
     assert len({tuple(c) for c in graph.color.tolist()}) == 2
+
+
+DOLL = (
+    "-- Nora, a doll ------- page 1 --\n\nLEGS (make 2), start with red, the boot. Ch 5, begin in second ch.\nRnd 1: 3 sc, 3 sc in last ch, other side of the chain 2 sc, inc (10)\n"
+    "Rnd 2: sc in each st around (10)\nChange to white.\n-- Nora, a doll ------- page 2 --\nRnd 3: sc in each st around (10)\nCut the yarn of the first leg.\n\n"
+    "BODY, go on with white\nRnd 4: ch 2, join with sc to the inner side of the first leg, this is the first of 10 sc around the first leg, 2 sc over the chain,\n"
+    "10 sc around the second leg, 2 sc over other side of chain (24)\nRnd 5-6: sc in each st around (24)\nRnd 7: BLO sc in each st around (24)\n"
+    "-- Nora, a doll ------- page 3 --\nCOLLAR, blue: in the 24 free loops of Rnd 6, from the back, 2 hdc in each (48).\n"
+)
+
+
+def test_heads_of_pages_are_no_lines_and_a_heading_goes_on_with_its_yarn_and_chain() -> None:
+    found = pattern(DOLL)
+    assert not unread(DOLL) and not found.left_out
+    assert [p.name for p in found.parts] == ["LEGS AND BODY", "COLLAR"]
+    assert [w.made for w in build(found).worked if w.line.in_round][-4:] == [24, 24, 24, 48]
+    assert not any(line.gap for part in found.parts for line in part.lines)
+    hung = placed(found)["COLLAR"]
+    assert (hung.spot.round, hung.through) == (6.0, 24)
+
+
+def test_a_page_that_is_spoken_of_once_stays() -> None:
+    assert pattern("Ball (see page 2)\n\nBALL\nR1: 6 sc in MR (6)\nR2: 6 inc (12)\n").parts[0].name == "BALL"
+
+
+@pytest.mark.parametrize(
+    ("words", "many"),
+    [
+        ("[skip 1, 4 dc in next, skip 1, sl st] x 3, that is 3 arches", 12),
+        ("sc in each st around, that's four times", 12),
+        ("5 sc, thumb: 4 dc together in one st, 6 sc (12)", 12),
+    ],
+)
+def test_what_a_round_says_beside_its_stitches(words: str, many: int) -> None:
+    text = f"Wig\n\nCAP\nRnd 1: 6 sc in ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: {words}\n"
+    assert not unread(text)
+    last = [w.made for w in build(pattern(text)).worked if w.line.in_round][-1]
+    assert last == many
+
+
+def test_strands_that_are_gone_back_along_by_their_stitches() -> None:
+    text = "Wig\n\nCAP\nRnd 1: 6 sc in ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: long hair: [ch 11, 10 sc back, sl st in next 2 st of cap] x 6\n"
+    assert not unread(text)
+    graph = build(pattern(text)).graph
+    assert len(graph.color) > 18 + 6 * 20
+
+
+def test_a_chain_of_a_part_that_is_named_in_its_line() -> None:
+    text = "Bag\n\nBAG (red)\nRnd 1: 6 sc in ring (6)\n\nSTRAPS, 2x, blue: ch 9, back from 2nd ch 8 sc.\n\n+++ 3. BELT (green) +++\nCh 7, from the 2nd ch 6 sc.\n"
+    found = pattern(text)
+    assert [p.name for p in found.parts] == ["BAG", "STRAPS", "BELT"] and not unread(text)

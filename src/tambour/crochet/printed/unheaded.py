@@ -14,7 +14,7 @@ def unheaded(p: State, row: Row, tokens: list[Token]) -> int | None:
     skipped sc in 63rd rnd. Ch 1. 1 sc in each of next 30 sc. Ch 6. Join. 36 sts."; None where none does."""
     if not p.parts or p.mode in ("materials", "abbreviations", "notes", "assembly"):
         return None
-    named = headed(p.source.text.text, row, tokens)
+    named = headed(p, row, tokens)
     at = named + 1 if named else 0
     sentences = [s for s in _sentences(tokens[at:]) if s]
     first = sentences[0] if sentences else []

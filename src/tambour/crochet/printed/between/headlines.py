@@ -47,7 +47,7 @@ def below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]
     return [("hook", words, span)] if hook_of(words) is not None else []
 
 
-def headed(text: str, row: Row, tokens: list[Token]) -> int:
+def headed(p: State, row: Row, tokens: list[Token]) -> int:
     """Where the colon stands behind the name of a part that a line begins with and goes on; 0 where it does not."""
     at = next((k for k, t in enumerate(tokens[:12]) if t.word == ":"), 0)
     if (
@@ -63,7 +63,9 @@ def headed(text: str, row: Row, tokens: list[Token]) -> int:
     ):
         return 0
     raw = [t for t in row.tokens if t.end <= tokens[at].end]
-    found = heading(text, Row(raw, row.start, raw[-1].end, row.marked), tokens[: at + 1])
+    line = Row(raw, row.start, raw[-1].end, row.marked)
+    text, name = p.source.text.text, tokens[: at + 1]
+    found = heading(text, line, name) or heading(text, line, [*bare(p, name[:-1]), name[-1]])  # "STRAP, red: ch 9"
     return at if found is not None and found.strong else 0
 
 

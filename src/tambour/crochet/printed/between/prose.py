@@ -165,7 +165,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             p.source.doubt("this is another colouring: the first is shown", hint, Span(at, at + len(m[0])))
         p.passed.append(whole)  # "Version 3: C as Color 1, B as Color 2"
         return
-    if p.mode not in ("materials", "abbreviations") and (at := headed(text, row, tokens) or trailing(p, row, tokens)):
+    if p.mode not in ("materials", "abbreviations") and (at := headed(p, row, tokens) or trailing(p, row, tokens)):
         cut = tokens[at].end
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= cut) == some]

@@ -30,7 +30,7 @@ _LOOPS: Final = re.compile(
     rf"{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(1)}"
     r"|\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|with|using)\w*\b[^.;]{0,80}?\b(?:flo|blo|fl|bl)s?\b[^.;]{0,40}?"
     rf"\b{_NUMBER.format(2)}"
-    rf"|^\W*(?:(?:[a-z]+\s+)?[a-z]+\s*,\s*)?(?:in|into|on|over|behind|from|along|through|to|for)\s+(?:the\s+)?{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(3)}",
+    rf"|^\W*(?:(?:[a-z]+\s+)?[a-z]+\s*,\s*)?(?:in|into|on|over|behind|from|along|through|to|for)\s+(?:the\s+)?(?:\d+\s+)?{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(3)}",
     re.IGNORECASE,
 )
 """Where yarn is joined in loops that a round left: "Join C in a free front loop of Rnd 29 at the back"."""

@@ -132,6 +132,9 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
     while end > begin and _frame(tokens[end - 1]):
         end -= 1
     led = begin > 0 or any(c in _FRAMES for c in text[row.start : tokens[0].start])
+    listed = tokens[begin : begin + 2] if led and begin and end < len(tokens) and end - begin > 2 else []
+    if listed and listed[0].kind == "number" and listed[1].word in (".", ")", ":"):
+        begin += 2  # "+++ 8. COLLAR +++"
     if begin and tokens[0].word in _TURNS and end == len(tokens):  # "*ARMS* 2x", "~ CRUST ~ (brown)"
         close = next((k for k in range(begin, end) if tokens[k].word == tokens[0].word), end)
         behind = tokens[close:]

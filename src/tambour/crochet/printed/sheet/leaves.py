@@ -12,11 +12,14 @@ _FOOT: Final = re.compile(
     r"[ \t]*(?:(?P<title>\S.{0,80}?)[ \t|·•–—-]+)?(?:page[ \t]*)?(?P<page>\d{1,3})[ \t]*(?:of|/)[ \t]*(?P<pages>\d{1,3})[ \t]*$",
     re.IGNORECASE,
 )
+_LONGEST: Final = 120
+_RUNNING: Final = re.compile(r"(?:(?<![.!?:])[ \t]|^)page[ \t]*(\d{1,3})[ \t]*[^\w\n]*$", re.IGNORECASE)
 _GOES_ON: Final = ("*", "(", "[", "{")
 
 
 def leaves(text: str, rows: list[Row]) -> list[Row]:
     """``rows`` without feet of pages, where a sentence goes on behind one; others stay, as they part what they stand between."""
+    rows = _unheaded(text, rows)
     feet = [k for k, row in enumerate(rows) if row.tokens and is_foot(text[row.start : row.end])]
     made: list[Row] = []
     at = 0
@@ -36,9 +39,26 @@ def leaves(text: str, rows: list[Row]) -> list[Row]:
     return [*made, *rows[at:]]
 
 
+def _unheaded(text: str, rows: list[Row]) -> list[Row]:
+    """``rows`` without heads and feet that say the same on every page but for its number: "-- Pip the mouse ------ page 2 --"."""
+    said: dict[str, list[tuple[int, int]]] = {}
+    for k, row in enumerate(rows):
+        found = _RUNNING.search(text[row.start : row.end]) if row.tokens and row.end - row.start <= _LONGEST else None
+        if found is not None:
+            same = found.string[: found.start(1)] + found.string[found.end(1) :]
+            said.setdefault(same.strip(), []).append((k, int(found[1])))
+    running = {
+        k
+        for places in said.values()
+        if len(places) > 1 and [n for _, n in places] == list(range(places[0][1], places[0][1] + len(places)))
+        for k, _ in places
+    }
+    return [row for k, row in enumerate(rows) if k not in running] if running else rows
+
+
 def is_foot(line: str) -> bool:
     """Whether a line is the foot of a page."""
-    found = _FOOT.match(line) if len(line) <= 120 else None
+    found = _FOOT.match(line) if len(line) <= _LONGEST else None
     if found is None or not 0 < int(found["page"]) <= int(found["pages"]):
         return False
     if found["title"] is not None and not any(c.isalpha() for c in found["title"]):

@@ -16,11 +16,12 @@ _HANGS: Final = frozenset(
 """What hangs from loops besides clothes."""
 _EDGES: Final = frozenset(("edge", "edging", "border", "trim", "frill", "ruffle"))
 _LOOPS: Final = (
-    r"\b(?:[fb]lo|(?:front|back|free|unused|unworked|remaining) (?:half )?loops?)(?: only)? (?:left )?(?:of|from|in|on) (?:the )?"
+    r"\b(?:[fb]lo|(?:\d+ )?(?:front|back|free|unused|unworked|remaining) (?:half )?loops?)(?: only)? (?:left )?(?:of|from|in|on) (?:the )?"
     r"(?:(?:r|rnd|round|row) ?\d+|\d+(?:st|nd|rd|th) (?:r|rnd|round|row))"
 )
 _LAST: Final = re.compile(rf"{_LOOPS}$")
 _SAID: Final = re.compile(_LOOPS)
+_FROM: Final = frozenset(("from", "starting", "beginning", "at"))
 _OPEN: Final = ("(", "[", "*")
 _NAME: Final = 3  # words of a name
 
@@ -35,7 +36,7 @@ def rimmed(rows: list[Row], called: str) -> list[Row]:
     """``rows`` with every such line as two or three: a heading, a sentence, and round 1. called : the word for a round."""
     made: list[Row] = []
     for row in rows:
-        made += _edging(row, called) or _headed(row) or [row]
+        made += _edging(row, called) or _told(row, called) or _headed(row) or [row]
     return made
 
 
@@ -57,6 +58,37 @@ def _edging(row: Row, called: str) -> list[Row]:
         Row(tokens[2 : end + 1], tokens[2].start, tokens[end].end),
         Row([*head, *tokens[end + 1 :]], at, row.end),
     ]
+
+
+def _told(row: Row, called: str) -> list[Row]:
+    """The heading, the yarn, the loops and the only round of "COLLAR, white: in the 18 free loops of R40, from the back, 2 hdc in each (36)"."""
+    tokens = row.tokens
+    colon = next((k for k, t in enumerate(tokens[: 2 * _NAME + 1]) if t.word == ":"), 0)
+    name = next((k for k, t in enumerate(tokens[:colon]) if t.kind != "word"), colon)
+    if not 0 < name <= _NAME or not tokens[0].capital or not hanging(" ".join(t.word for t in tokens[:name])):
+        return []
+    said = _SAID.search(" ".join(t.word for t in tokens[colon + 1 :]))
+    if said is None or tokens[colon + 1].word not in ("in", "into", "on"):
+        return []
+    at = colon + 1 + len(said.string[: said.end()].split())
+    while at + 1 < len(tokens) and tokens[at].word == "," and tokens[at + 1].word in _FROM:
+        at = next((k for k in range(at + 1, len(tokens)) if tokens[k].word == ","), len(tokens))  # "from the back"
+    if at + 2 >= len(tokens) or tokens[at].word != "," or tokens[at + 1].kind != "number":
+        return []
+    made = [Row(tokens[:name], tokens[0].start, tokens[name - 1].end, max(row.marked, 1))]
+    if name + 1 < colon:
+        yarn = tokens[name + 1 : colon]
+        made.append(
+            Row([Token("word", "with", yarn[0].start, yarn[0].start, capital=True), *yarn], yarn[0].start, yarn[-1].end)
+        )
+    loops, rest = tokens[colon + 1 : at], tokens[at + 1 :]
+    place = rest[0].start
+    head = [
+        Token("word", called, place, place, capital=True),
+        Token("number", "1", place, place, 1),
+        Token("mark", ":", place, place),
+    ]
+    return [*made, Row(loops, loops[0].start, loops[-1].end), Row([*head, *rest], place, row.end)]
 
 
 def _headed(row: Row) -> list[Row]:

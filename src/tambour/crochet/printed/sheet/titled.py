@@ -91,6 +91,7 @@ class _Words:
 def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     """``rows`` with the headings that stand over first rounds put plainly; what stands over the whole text may be more than a heading."""
     words = _Words(vocabulary)
+    rows = [part for row in rows for part in _founded(row, words)]
     made: list[Row] = []
     top = next((k for k, row in enumerate(rows) if row.tokens), 0)
     founded: dict[int, bool] = {}
@@ -110,6 +111,29 @@ def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         made.append(Row([*title.name, *_made(title, words)], row.start, row.end, max(row.marked, 1)))
         made += [Row(_yarn(aside, words), aside[0].start, aside[-1].end) for aside in title.asides]
     return made
+
+
+def _founded(row: Row, words: _Words) -> list[Row]:
+    """A heading with its copies or its yarn and the chain behind it on lines of their own: "PAWS (make 2), start with red. Ch 5, begin in second ch."."""
+    tokens = row.tokens
+    ends = [k for k, t in enumerate(tokens[:_LONGEST]) if t.word == "." and k]
+    at = next((k for k in ends if [t.word for t in tokens[k + 1 : k + 2]] in (["ch"], ["chain"])), 0)
+    if not at or not tokens[0].capital or not _known(tokens[:at]):
+        return [row]
+    behind = words.read(tokens[at + 1 :])[:2]
+    chains = [t.kind for t in behind] == ["stitch", "number"] and behind[0].value == "ch"
+    title = _title(tokens[:at], words) if chains else None
+    if (
+        title is None
+        or not title.dressed
+        or title.led
+        or not (title.copies or any(_hue(a, words) for a in title.asides))
+    ):
+        return [row]
+    rest = tokens[at + 1 :]
+    head = Row([*title.name, *_made(title, words)], row.start, tokens[at].end, max(row.marked, 1))
+    asides = [Row(_yarn(aside, words), aside[0].start, aside[-1].end) for aside in title.asides if _hue(aside, words)]
+    return [head, *asides, Row(rest, rest[0].start, row.end)]
 
 
 def _stands(above: list[Token], words: _Words) -> bool:

@@ -75,6 +75,8 @@ def _back(tokens: list[Token], at: int, long: int) -> tuple[Token, int] | None:
         k += 2
         while k < len(tokens) and (tokens[k].word in (",", "and", "then") or tokens[k].value in ("ch", "and")):
             k += 1
+    if k + 2 < len(tokens) and tokens[k].value == long - 1 and tokens[k + 2].word in _BACK:
+        k += 1  # "ch 31, 30 sc back"
     stitch = tokens[k] if k < len(tokens) else None
     if stitch is None or stitch.value not in _STITCHES or stitch.kind != "stitch":
         return None

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from tambour.crochet.words.numbers import NUMBER
+
 CHAINS: Final = r"vp|ch|chs|chain|chains|air loops?|links?"
 ST: Final = "sts?|stitch|stitches|sc|hdc|dc|tr"
 _ROUND: Final = r"(?:round|rnd|row)"
@@ -62,6 +64,14 @@ SAID: Final = (
     (rf"({_KIND}) (\d) times (?:in|into) each", "{2} {1} in each"),
     (r"(?:for|behind|by|over) (?:the )?back of (?:the )?(?:hinge|loop|stitch|wall)s?", "in blo"),
     (r"^((?:row|round|rnd|r) (?!1 )\d+(?: - \d+)? : [^.;]*?)(?:skip|sk|miss) (?:the )?(?:first|1st) (?:ch|chain|st|stitch)(?: from (?:the )?hook)? ,(?= [^.;]*ch 1 (?:and |, )?turn)", "{1}"),
+    # shops
+    (rf"join with (?:a |1 |one )?(?:{_KIND}) (?:to|into|in|on) ([^,;:.()]+) , this is (?:the )?first of (?:the )?(\d+ (?:{_KIND}))", "join to {1} , {2}"),
+    (rf"(?:,|-)? that (?:is |makes |gives )?(?:{NUMBER}) (?!(?:sts?|stitch|stitches|{_KIND})(?!\S))[a-z]+(?= ?[.;]| ?$)", ""),
+    (rf"(?<=[,:(\[] )(?:thumb|nose|toe|heel|finger|tail) :(?= \d+ (?:{_KIND}))", ""),
+    (r"(\d) (hdc|dc|tr) (?:tog|together) in(?:to)? (?:the )?(?:1|one|same|next|the same) (?:st|stitch)", "{1} {2} bobble in next st"),
+    (r"((?:\d+ )?(?:sts?|stitches)) of (?:the )?(?:cap|wig|hat|head|body|skirt)(?= ?[\]),.;])", "{1}"),
+    (rf"(?:^|(?<=, ))(?:and )?then (?:the |a )?[a-z]+ (?:on|in|along|across) (?:the )?(?:{NUMBER}) (?:st|sts|stitches) (?:left|remaining|that (?:are left|remain)) :", ""),
+    (rf"ch (\d+) , (?:go |going |work |working )?back from (?:the )?(2nd|second) ch(?:ain)?(?: from (?:the )?hook)?(?= \d+ (?:{_KIND}))", "ch {1} , from {2} ch from hook"),
     # repeats
     (r"repeat(?= [\[(] [^\])*]+ [\])] (?:around|across|to (?:the )?end)(?: ?[.,;(]| ?$))", ""),
     (rf"(dec|decrease|invdec|sc2tog) over (?:the )?(?:first|next|last|following) 2 (?:{_STITCH})", "{1}"),
