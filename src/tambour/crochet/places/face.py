@@ -51,7 +51,7 @@ def motifs(text: str) -> list[str]:
     text = re.sub(r"\bbetween (?:the )?(?:ears?|head|neck) and (?:the )?(?:nose|mouth|eyes?)\b", " ", text)
     plain = re.sub(
         r"\b(?:below|under|beneath|above|over|between|beside|next to|in line with|level with|bottom of|top of|tip of|"
-        r"cent(?:er|re) of|sides? of|from|near|to|towards?|facing|behind|against|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around)\s+"
+        r"cent(?:er|re) of|sides? of|from|near|to|towards?|facing|behind|against|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around|across)\s+"
         r"(?:the\s+|each\s+|both\s+|safety\s+|its\s+|your\s+|left\s+|right\s+|his\s+|her\s+)*(?:bottom of the )?"
         r"(?:eyes?|nose|mouth|muzzle|snout|cheeks?|ears?|smile|eyebrows?)\b",
         " ",

@@ -38,6 +38,36 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         rf"\b(?:bottom|lower)\s+(?:edge|end|side|rim)\s+(?:of (?:the )?\w+\s+)?(?:{_MEETS}){_R}",
         r"lower edge on round \1",
     ),
+    (
+        rf"\b(?:inner|outer|upper|front|first|one|its)\s+(?:\w+\s+)?(?:corner|edge|end|point|tip)s?\s+(?:\w+\s+)?(?:on|at|by|along|in)\s+{_R}[^.;\d]{{0,40}}?\b"
+        rf"(?:outer|inner|lower|back|second|other)(?:\s+(?:\w+\s+)?(?:corner|edge|end|point|tip)s?)?\s+(?:\w+\s+){{0,2}}?(?:on|at|by|along|in|near)\s+(?:about\s+)?{_R}",
+        r"over rounds \1 to \2",
+    ),
+    (
+        rf"\b(?:tops?|upper edge)\s+(?:touch|meet|reach)\w*\s+(?:the\s+)?neck(?:\s+(?:seam|edge|line))?[^.;\d]{{0,40}}?\b(?:bottom|lower edge)\s+(?:\w+\s+){{0,2}}?(?:to|at|on)\s+(?:about\s+)?{_R}",
+        r"at the neck, lower edge on round \1",
+    ),
+    # what is not meant, and how a piece runs or what it touches, say no place
+    (r"\s*\(\s*not\b[^()]*\)|\s*[,–—-]+\s*not\s+(?:upright|standing|vertical|lying|flat|sideways)\b[^.;,]*", ""),
+    (
+        r",?\s*\b(?:with\s+)?(?:the\s+|its\s+)?(?:stripes|ridges|rows|grooves|long sides?|short sides?|ribs)\s+(?:go|run|point|lie|lying|going|running|pointing)\w*\s+"
+        r"(?:from\s+\w+\s+to\s+\w+|across|along|lengthwise|sideways|up and down|from side to side)\b",
+        "",
+    ),
+    (
+        r",?\s*\b(?:with\s+)?(?:the\s+|its\s+)?(?:two\s+)?(?:petals|flukes|lobes|halves)\s+(?:\w+\s+)?(?:to\s+(?:the\s+)?)?left and (?:(?:to\s+)?the\s+)?right\b",
+        "",
+    ),
+    (
+        r",?\s*\b(?:and\s+|with\s+)?(?:the\s+|its\s+|their\s+)?(?:front|back|inner|outer|upper|lower)\s+(?:edge|end|side|tip|corner)s?\s+(?:\w+\s+)?touching\b[^.;,]*",
+        "",
+    ),
+    (r",?\s*\b(?:exactly\s+|directly\s+|right\s+)?opposite\s+(?:the\s+)?back\b(?:\s+(?:marker|seam|line))?", ""),
+    (r"\bbehind and (?=(?:below|above|beside)\b)", ""),
+    (
+        r"\b(?:the\s+|their\s+)?(?:ends|tips|points)\s+(?:(?:should|must|will)\s+)?(?:look|point|fac)\w*\s+(?:back|to the back|to the rear|towards the (?:tail|back))\b",
+        "pointing backwards",
+    ),
     # in a translator's words
     (rf"\bat (?:the )?(?:same )?(?:height|level) of {_R}\s*(?:and|to|-|–)\s*{_R}", r"over rounds \1 to \2"),
     (rf"\b({QUANTITY})\s*{ST}\s+(?:of|in)\s+(?:wide|width)\b", r"\1 stitches wide"),
@@ -50,6 +80,11 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     (
         rf"\bwith (?:a )?(?:separation|distance|space) of ({QUANTITY})\s*{ST}|\bwith ({QUANTITY})\s*{ST} of (?:separation|distance|space)\b",
         lambda m: f"{m[1] or m[2]} stitches between",
+    ),
+    (
+        rf"\bbetween (?:the )?(\d+)(?:st|nd|rd|th) and (?:the )?(\d+)(?:st|nd|rd|th) (?:{ST}|loops?)(?: of the (?:round|rnd|row))?,?\s*(?:and\s+)?(?:the\s+)?(?:second|other|next)(?: one| eye)? "
+        r"between (?:the )?(\d+)(?:st|nd|rd|th) and (?:the )?(\d+)(?:st|nd|rd|th)\b(?: (?:stitch|st|loop)(?:es|s)?)?",
+        r"between stitches \1 and \2, the other between stitches \3 and \4",
     ),
     # stitches between two
     (

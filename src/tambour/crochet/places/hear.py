@@ -76,7 +76,8 @@ _BACK, _FAR = 240, 4
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|level with|in line with|"
-    r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+)*$"
+    r"on (?:either|both|each) sides? of|as|from|towards?|between (?:the |each |both )?\w+ and)\s+"
+    r"(?:the\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+|end\s+|edge\s+|tip\s+|of\s+|white\s+|cream\s+|black\s+|pink\s+|red\s+|light\s+|dark\s+)*$"
 )
 """Words before a part that something is only near."""
 _BEHIND: Final = re.compile(r"\b(?:behind|below|beneath|under|underneath)\s+(?:the|his|her|its)\s+$")
@@ -397,6 +398,8 @@ class Heard:
         strange = bool(onto - _NO_PART) and not self._region(low) and not at.beside and at.rounds is None
         for group in apart(copies):
             called = one(word[group[0][0]])
+            if host is None and not at.says and any(p.copies == group and p.where.says for p in self.puts):
+                continue  # "Sew the closed tops", behind where they go
             self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, False, called, strange))
         return True
 

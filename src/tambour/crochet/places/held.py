@@ -38,7 +38,7 @@ _LOWEST: Final = 0.7
 """An end is below that lies so far under the middle, in halves of the height."""
 _ROUND: Final = 1.5
 """How much more the way out of an ellipsoid counts than that of the fabric before it is stuffed."""
-_LAID: Final = frozenset(
+LAID: Final = frozenset(
     ("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner", "bumper", "beard")
 )
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
@@ -78,7 +78,7 @@ class Holder(Snouts):
         if self.work.spots.in_rows[self.work.spots.parts[name]]:
             if copy[0].kind == "tuft" and "mane" in copy[0].words and self._strip(copy):
                 return True  # a band along the nape
-            return copy[0].kind in _LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
+            return copy[0].kind in LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
         if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
             return edge >= 4
         if way.flat is None:
@@ -131,7 +131,7 @@ class Holder(Snouts):
         if flat or standing or closed:
             line = np.array(way.line)
             rows = bool(self.work.spots.in_rows[self.work.spots.parts[copy[0].copy(copy[1])]])
-            upright = rows and copy[0].kind in _LAID  # a door's rows lie level, over however many rounds it reaches
+            upright = rows and copy[0].kind in LAID  # a door's rows lie level, over however many rounds it reaches
             if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3 and not upright:
                 line = host.axis - float(host.axis @ n) * n  # from round to round, also where they lie about the top
             if (

@@ -13,7 +13,7 @@ from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import ABOVE, SIDE
 from tambour.crochet.places.hear import Copy, Put
-from tambour.crochet.places.held import BESIDE
+from tambour.crochet.places.held import BESIDE, LAID
 from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.places.paired import Pairer
@@ -299,8 +299,9 @@ class Putter(Pairer):
                 return Spot(host.name, level, at.stitch, put.span), way
             if at.pair is not None and len(put.copies) == 2:
                 return Spot(host.name, level, sorted(at.pair)[k], put.span), way
-            if len(put.copies) == 1 and self._lids(put.copies[0], lid := Spot(host.name, level, None, put.span)):
-                return lid, way
+            end = Spot(host.name, level, None, put.span)
+            if len(put.copies) == 1 and put.kind not in LAID and self._lids(put.copies[0], end):
+                return end, way
             if at.aside is not None and len(put.copies) == 1:
                 return Spot(host.name, level, host.aside(level, at.aside), put.span), way
             stitch = host.in_round(level, direction)

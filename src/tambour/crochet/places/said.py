@@ -87,7 +87,7 @@ _WHERE: Final[dict[str, str]] = {
     "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|snout|muzzle|beak|nose|face|tail|wings?|fins?|feet|last|first|sts?))",
     "bottom": r"\b(?:bottom|base|underside|beneath the body|under the body|underneath|lower edge|belly side)\b",
     "front": r"\b(?:front|facing forwards?|forehead|face side|chest)\b(?! (?:loops?|post|legs?|paws?|feet|flippers?|hooves|fins?))",
-    "back": rf"\b(?:{_FACED}|back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
+    "back": rf"\b(?:{_FACED}|back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd|(?:the |each |both |its |his |her )?eyes?\b)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
     "sides": rf"\b(?:sides|either side|each side|both sides|(?!{_FACED})opposite sides?|on the sides?|to the side|each other side|one side|side of)\b",
     "left": r"\bleft\b(?! (?:open|over|long|for))",
     "right": r"\bright\b(?! (?:sides? (?:facing|out|together|of (?:the )?(?:work|fabric))|below|above|under|next|sides|on|at|in|over|behind|between|beside|near|against))",

@@ -54,7 +54,10 @@ _EYES: Final = re.compile(
     re.IGNORECASE,
 )
 
-_ROUND_OF: Final = re.compile(r"\b(?:stitches|sts|rounds|rows) (?:are|will be) (?:worked|made|crocheted)\b")
+_ONE_EYE: Final = re.compile(r"\bone eye (?=(?:at|between|on|in|over)\b)")
+_ROUND_OF: Final = re.compile(
+    r"\b(?:stitches|sts|rounds|rows) (?:are|will be) (?:worked|made|crocheted)\b|\b(?:start|beginning|end) of (?:every|each) (?:rows?|rnds?|rounds?)\b"
+)
 """What is said of a round, and puts nothing anywhere: "In the next round, stitches are worked around the opening"."""
 _BY_EYES: Final = re.compile(
     r"\b(?:at|in|on|from|near|above|below|beside|under|over) (?:the |each |both |its )*(?:(?:outer|inner) (?:corner|edge|side|end)|eye)"
@@ -81,7 +84,8 @@ _CENTER: Final = re.compile(
 """A place, and no verb: "center top of head"."""
 
 _FEATURE: Final = re.compile(
-    r"^\W*(?P<bare>(?:(?:the|a|an|two|three|four|\d+|short|small|little|tiny|black|brown|pink|white|red|rosy)\s+)*"
+    r"^\W*(?:(?:in|with|using)\s+(?:[a-z]+\s+){0,2}?[a-z]+,\s*)?"
+    r"(?P<bare>(?:(?:the|a|an|two|three|four|\d+|short|long|small|little|tiny|big|wide|straight|rounded|upright|black|brown|pink|white|red|rosy|triangle|triangular|oval|heart-shaped)\s+)*"
     r"(?:mouth|nose|nostrils?|cheeks?|(?:eye)?lashes|(?:eye)?brows|smile|whiskers|freckles|blush)\b\s+(?:is |are |go |goes )?"
     r"(?:between|on|at|over|under|below|above|in|with|just|right|either)\b)"
 )
@@ -101,6 +105,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     verb = VERB.search(_CENTER.sub(lambda m: "-" * len(m[0]), low))
     if (eyes := _EYES.match(low)) is not None and not verb:
         return eyes.end() - 1, " placed"
+    if not verb and (eye := _ONE_EYE.search(low)) is not None:
+        return eye.start(), "place "
     feature = _FEATURE.match(low)
     if feature is not None and not verb and (where(low).says or re.search(r"\beyes?\b", low)):
         return feature.start("bare"), "embroider "

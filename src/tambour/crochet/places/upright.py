@@ -22,9 +22,17 @@ _REAR: Final = re.compile(
 )
 """What lies and begins so has its end ahead."""
 _SEAT: Final = re.compile(
-    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:bottom|base|seat)\b(?! (?:end|of (?:the )?(?:head|leg)))"
+    r"\b(?:beg(?:ins?|in(?:ning)?)?|starts?|starting|work(?:ed|ing)?)\.?\s+(?:at|from|with|under|underneath|beneath)\s+(?:the\s+|her\s+|his\s+|its\s+)?(?:very\s+)?(?:bottom|base|seat)\b"
+    r"(?! (?:end|of (?:the )?(?:head|leg)))"
 )
 """A body that begins so stands on it, or sits, though it has four legs."""
+_SITS: Final = re.compile(
+    r"\bsits\s+(?:about|approx\w*\.?|around|roughly|at)?\s*\d|\b(?:measures?|tall|high|height|size)\b[^.\n]{0,40}\b(?:sitting|seated)\b|\bproper sitting\b"
+    r"|\b(?:sitting|seated)\b[^.\n]{0,30}\b(?:\d+(?:[.,]\d+)?\s*(?:cm|mm|in\b|inch|\")|tall|high|height)"
+)
+"""A toy of which is told how tall it is when it sits."""
+_TOYS: Final = 2
+"""Where so many things are measured, it may be another that sits."""
 _UPWARDS: Final = re.compile(
     r"\bbottom[- ](?:to[- ])?(?:the )?(?:up|top|neck)\b|\b(?:up )?from (?:the )?(?:bottom|ground|base) up(?:wards?)?\b"
 )
@@ -210,7 +218,8 @@ class Upright(Toy):
             return "side"
         if not self.spots.in_rows[part] and self._ends_below(main):
             return "start"
-        if head not in (None, main) and self._begins(main, _SEAT):
+        sits = _SITS.search(self.text) is not None and len(re.findall(r"\bmeasures?\b", self.text)) < _TOYS
+        if head not in (None, main) and (sits or self._begins(main, _SEAT)):
             return "end"
         if head in (None, main) and self._based(main, part):
             return "start"

@@ -17,6 +17,7 @@ from tambour.crochet.places.names import Made
 from tambour.crochet.places.names import one as singular
 from tambour.crochet.places.said import size
 from tambour.crochet.places.terse import under, verb_of
+from tambour.crochet.places.topic import about
 from tambour.crochet.places.toy import Assembled, a_set, faced, toys
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
@@ -162,6 +163,9 @@ def assembled(
         if held is not None and exact is None:
             words = " ".join((words, _BACK.sub("backwards", held["how"])))
         hues = tuple((glossed.at(place), hue) for place, hue in shades(one.tokens, palette, span.start))
+        carries = words if exact is not None else about(built.pattern.text.text, span.start, words, tuple(names))
+        hues = tuple((max(0, place + len(carries) - len(words)), hue) for place, hue in hues)
+        words = carries
         led = "" if exact is not None else under(english(one.headed.lower(), built.pattern.terms).text, words, names)
         if led:
             hues = tuple((place + len(led) - len(words), hue) for place, hue in hues)

@@ -32,7 +32,7 @@ _UNCOUNTED: Final = re.compile(
     re.IGNORECASE,
 )
 _STRANGE: Final = re.compile(
-    r"\b(?:sc|dc|hdc|tr|inc|dec|slst|rows? \d|r\d+|repeat|rep|from hook|next|first|skip|last)\b|[4-9]|\d\d",
+    r"\b(?:sc|dc|hdc|tr|inc|dec|slst|rows? \d(?! ch\b)|r\d+|repeat|rep|from hook|next|first|skip|last)\b|[4-9]|\d\d",
     re.IGNORECASE,
 )
 _RULE: Final = 160  # letters of such a sentence

@@ -11,6 +11,7 @@ from tambour.crochet.places import face
 from tambour.crochet.places.assembling import TO, assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken, under
+from tambour.crochet.places.topic import about
 from tambour.crochet.printed.between.assembly import Said, alike, eyes_meant
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.state import State
@@ -106,6 +107,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
         )
         if not named or stitches:
             return False
+    heard = about(p.source.text.text, tokens[0].start, heard, tuple(names))
     part, headed = p.parts[-1].name, p.heading.name if p.heading is not None else ""
     led = under(english(headed.lower(), p.language.code).text, heard, names)
     if not (

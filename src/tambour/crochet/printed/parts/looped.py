@@ -34,6 +34,8 @@ _UPTO: Final = re.compile(rf"\b(?:until|till|up to|^to|before) (?:and including 
 _OF: Final = re.compile(rf"(?<!stitches )(?<!sts )\bof (?:the )?{_ROUNDS} \d|\bjoin\b")
 """Loops that a round left, which something else is worked into."""
 _SAID: Final = re.compile(r"\b(?:are|is|work|worked|working|made|make|crochet|crocheted|done|unless)\b")
+_SO: Final = frozenset(("it", "this", "that", "which", "so", "these", "gives", "makes"))
+"""Words that say what comes of it."""
 _ONWARD: Final = re.compile(r"\b(?:on|onwards?|start|starting|begin|beginning|forward|after)\b")
 
 
@@ -51,6 +53,8 @@ def rule(tokens: list[Token]) -> Loops | None:
     """What a sentence says of loops for rounds other than its own; None where it does not, or where the rounds are not named."""
     while tokens and tokens[-1].word in (".", "!"):
         tokens = tokens[:-1]
+    comma = next((k for k, t in enumerate(tokens[:-1]) if t.word == "," and tokens[k + 1].word in _SO), len(tokens))
+    tokens = tokens[:comma]  # "From row 2 everything BLO, it gives the stripes"
     keyed = [t for t in tokens if t.kind == "key" and t.value in LOOPS]
     if len(keyed) != 1:
         return None

@@ -22,6 +22,8 @@ _RANKS: Final = {"first": 1, "second": 2, "third": 3, "left": 1, "right": 2, "ot
 _MOST: Final = 30  # chains between two pieces
 _GOING: Final = frozenset("continue continuing work working start starting begin beginning now next go".split())
 """Words before the piece that the hook goes on from."""
+_OVER: Final = frozenset("go over to move cross change continue across now and on".split())
+"""Words that take the hook to the other piece."""
 _TIES: Final = frozenset(("attach", "connect", "attaching", "connecting"))
 
 
@@ -140,6 +142,11 @@ def _plainly(p: State, tokens: list[Token]) -> list[Token]:
     as what is done there: "ch 3, join to the first"."""
     nouns = {one(w) for d in p.parts if d.begun() and not d.merged for w in re.findall(r"[^\W\d_]+", d.name.lower())}
     tokens = _opened(tokens)
+    nouns_said = {t.word for k, t in enumerate(tokens) if k and _rank(tokens[k - 1]) is not None and t.kind == "word"}
+    if len(nouns_said) == 1:  # "18 sc around the second petal, go over to the first one"
+        noun = nouns_said.pop()
+        tokens = [replace(t, kind="word", word=noun, value=noun) if t.word == "one" and k and _rank(tokens[k - 1]) is not None else t
+                  for k, t in enumerate(tokens)]  # fmt: skip
     made: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -205,6 +212,9 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
         return None
     noun = named[0][1]
     kin = [d for d in p.parts if d.begun() and not d.merged and noun in _words(d)]
+    if not kin and _made_twice(p, draft, noun, tokens[0].start):
+        draft.twin = noun
+        return draft, draft, noun
     if draft.begun() and draft not in kin:
         return None
     if len(kin) == 1 and kin[0].copies == 2:
@@ -216,6 +226,16 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
         return None
     here = draft if draft in kin else next(d for d in kin if _called(d) == (_rank(tokens[named[0][0] - 1]) or 2))
     return here, kin[1 - kin.index(here)], noun
+
+
+def _made_twice(p: State, draft: Draft, noun: str, begin: int) -> bool:
+    """Whether the part under way has been one of two so far, as its words up to ``begin`` say: "First make two flukes", "on the second petal do
+    not cut"."""
+    if not draft.begun() or draft.copies > 1 or draft.merged or p.heading is not None:
+        return False
+    said = p.source.text.text[draft.span.start : begin].lower()
+    many = rf"(?:two|2|both)\s+(?:[a-z]+\s+)?{re.escape(noun)}(?:s|es)|(?:second|other)\s+(?:one|{re.escape(noun)})"
+    return re.search(rf"\b(?:{many})\b", said) is not None
 
 
 def _words(draft: Draft) -> list[str]:
@@ -258,6 +278,7 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
     waiting: list[Token] = []  # what comes before the first piece is named
     chain = 0
     over: set[int] = set()
+    moved = False  # the hook goes on around that one
     under = False  # "along the other side of the chain" was said before the stitches that are worked there
     for clause in clauses:
         at = [k for k in range(len(clause) - 1) if _rank(clause[k]) is not None and one(clause[k + 1].word) == noun]
@@ -288,9 +309,12 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
         if slipped and pieces and runs and pieces != {runs[-1].piece}:
             over = pieces  # "Sl st in first sc of First Leg": the yarn goes over to it
             continue
-        if over and not pieces and len(stitches) > 0 and any(t.value == "same" for t in rest):
-            pieces, rest = over, [stitches[0]]  # "1 sc in same sp as sl st" is its first stitch
-        over = set()
+        if pieces and not stitches and runs and rest and all(t.word in _OVER for t in rest):
+            over, moved = pieces, True  # "go over to the first petal"
+            continue
+        if over and not pieces and len(stitches) > 0 and (moved or any(t.value == "same" for t in rest)):
+            pieces, rest = over, rest if moved else [stitches[0]]  # "1 sc in same sp as sl st" is its first stitch
+        over, moved = set(), False
         joins = pieces and chain and rest[0].value == "join" and all(t.value == "slst" for t in stitches)
         if joins and not any(t.kind == "number" for t in rest):
             over = pieces  # "join to the first leg"

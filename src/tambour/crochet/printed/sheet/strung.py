@@ -4,18 +4,21 @@ Round 1 - 6 sc in ring <6>. Round 2 - inc x 6 <12>"), with the colon that such h
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.tokens import Row, Token
 
 _ROUNDS: Final = frozenset(("round", "rnd", "row", "rounds", "rnds", "rows"))
 _ENDS: Final = frozenset((":", ".", ";", ">", ")", "]"))
+_YARN: Final = 3  # words of a yarn's name
 _RUN: Final = 4
 """So many lines of a text begin with such a head."""
 
 
 def strung(rows: list[Row]) -> list[Row]:
-    """``rows`` with a colon behind every such head that a line does not begin with."""
+    """``rows`` with a colon behind every such head that a line does not begin with, and a line of its own for a first round behind its yarn."""
+    rows = _led(rows)
     if sum(_dash(row.tokens, 0) > 0 for row in rows) < _RUN:
         return rows
     made: list[Row] = []
@@ -35,3 +38,31 @@ def _dash(tokens: list[Token], at: int) -> int:
     while k < len(tokens) and (tokens[k].kind == "number" or tokens[k].word in ("to", "and", ",", "&")):
         k += 1
     return k if at + 1 < k < len(tokens) - 1 and tokens[k].word == "-" and not tokens[k].glued else 0
+
+
+def _led(rows: list[Row]) -> list[Row]:
+    """``rows`` with "Light blue. 1) 6 sc in ring (6). Then …" in lines of their own, where the text's rounds have such heads."""
+    if sum(_point(row.tokens, 0) for row in rows) < _RUN:
+        return rows
+    made: list[Row] = []
+    for row in rows:
+        tokens = row.tokens
+        stop = next((k for k, t in enumerate(tokens[: _YARN + 1]) if t.word == "."), 0)
+        if (
+            not stop
+            or any(t.kind != "word" for t in tokens[:stop])
+            or not _point(tokens, stop + 1)
+            or tokens[stop + 1].value != 1
+        ):
+            made.append(row)
+            continue
+        ends = [k for k in range(stop + 2, len(tokens) - 1) if tokens[k].word == "." and tokens[k + 1].capital]
+        cuts = [0, stop + 1, *(k + 1 for k in ends), len(tokens)]
+        for a, b in pairwise(cuts):
+            made.append(replace(row, tokens=tokens[a:b], start=tokens[a].start, end=tokens[b - 1].end))
+    return made
+
+
+def _point(tokens: list[Token], at: int) -> bool:
+    """Whether a round's number and its bracket stand there: "1)"."""
+    return at + 2 < len(tokens) and tokens[at].kind == "number" and tokens[at + 1].word == ")" and tokens[at + 1].glued

@@ -38,6 +38,8 @@ _IDIOMS: Final = tuple(
         (r"all (?:the way )?(?:a)?round (sc|dc|hdc|htr|tr|single crochet|double crochet)", "{1} around"),
         (r"(cut|break|leave|change|attach|hide|tie off|fasten off) (?:the |your |a |long )*ropes?", "{1} the yarn"),
         (r"\( \d+ (?:tufts|bobbles|popcorns|puffs|picots|loops|shells|blocks) \)", ""),
+        (r"(times|x) without (?:cutting|breaking)(?: off)? (?:the |your )?(?:yarn|thread|wool)(?: (?::|-) (?:[a-z]+ ){1,3}(?:hanging|sitting|joined|held)(?: [a-z]+){0,5})?", "{1}"),
+        (r", where (?:your|the) (?:very )?first (?:sc|dc|st|stitch) (?:is|was|sits|lies)", ""),
         (r"counting (?:the|your) (?:turning|first|starting) ch(?:ain)?", ""),
         (r"(every|each|all) (chains?|ch|sts?|stitch|stitches) (?:after(?:wards)?|thereafter|from there|after that|till the end|until the end)", "{1} {2}"),
         (r"(sc|dc|htr|hdc|tr|double crochet|single crochet) (?:all )?(?:the way )?round(?= [\[(.,;!]| ?$)", "{1} around"),

@@ -1,0 +1,153 @@
+"""Topic: the part that a paragraph of the assembly is about ("Tail: …", "First the belly."), put into those of its sentences that leave it out."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Final
+
+from tambour.crochet.places import face
+from tambour.crochet.places.habits import ROUND
+from tambour.crochet.places.names import Made, kind_of, mentions, one
+from tambour.crochet.places.said import VERB
+
+_POINT: Final = r"[\s*•·–—-]*(?:(?:step\s+)?(?:\d{1,2}|[a-z])\s*[.):]\s*)?"
+_NAME: Final = r"(?:the\s+|both\s+|two\s+)?((?:[^\W\d_]+[ -]+){0,2}[^\W\d_]+)"
+_LABEL: Final = re.compile(rf"{_POINT}{_NAME}\s*(?::|\s[–—-])\s", re.IGNORECASE)
+"""What a paragraph begins with: "3) Side fins: …"."""
+_JOINT: Final = re.compile(rf"{_POINT}{_NAME}\s+(?:to|onto|on|and)\s+{_NAME}\s*:\s", re.IGNORECASE)
+"""A paragraph about two parts that are sewn to each other: "Head to body: …"."""
+_JOINS: Final = re.compile(
+    r"\b(?:openings?|edges?|match|sew|whip ?stitch|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
+)
+_OPENED: Final = re.compile(
+    rf"(?:^|[.!?:]\s+)(?:now|next|then|finally|first(?: of all)?|last(?:ly)?|(?:let's |we )?(?:start|begin|continue|go on|finish) with)\s*,?\s+(?:for\s+)?{_NAME}\s*(?=[.,:!])",
+    re.IGNORECASE,
+)
+"""A sentence that says no more than what comes now: "First the belly."."""
+_OWN: Final = (
+    r"(?:(?:open|closed|flat|wide|wider|narrow|straight|long|short|upper|lower|top|bottom|back|front|cast-on|last|final|sewn|raw|own|inner|outer|flattened)\s+)*"
+    r"(?:edges?|ends?|sides?|rims?|tops?|openings?|bases?|seams?|bottoms?)"
+)
+_EDGE: Final = re.compile(
+    rf"\b(?P<verb>sew|stitch|attach|pin|place|position|put|set|fix|whip ?stitch|join|hold|lay|lean|press|tack)(?P<on>\s+on)?\s+(?:only\s+|just\s+)?"
+    rf"(?:the|its|their|his|her|each|both)\s+(?:two\s+)?(?P<own>{_OWN})(?:\s+of\s+(?:it|them|(?:the|each|both|your)\s+(?P<of>(?:[a-z]+\s+)?[a-z]+)))?(?=\s+(?:to|onto|on|in|into|at|over|along|against|under|below|above|between|around|across)\b|\s*[,.;]|\s*$)"
+)
+"""An own edge of what is sewn, in its place: "sew the open end to …", "hold the flat edge of the tail against …"."""
+_SHAPED: Final = r"(?:oval|circle|disc|disk|piece|square|triangle|strip|rectangle|half[- ]ball|dome|cone|pair|two|lot)"
+_LAID: Final = re.compile(
+    rf"(?:^|(?<=[,;.:]\s)|\band\s+|\bthen\s+)(?:lay|stand|rest|lean|hold|slip|set|hang|let|place|put|pin|sew|position|slide|press)\s+(?P<what>it|them|both|these|the {_SHAPED}s?)(?P<flat>\s+(?:flat|on end|upright|lengthwise|sideways|across))?"
+    r"(?=\s+(?:to|onto|on|in|into|at|over|along|against|under|just|right|directly|below|above|between|around|across|beside|close|behind)\b)"
+)
+"""What is done with "it", or with its shape's name: "lay the oval along the underside"."""
+_BARE: Final = re.compile(
+    r"^\W*(?P<verb>goes|go|sits|sit|lies|lie|stands|stand|hangs|hang|belongs|belong|covers|cover|is|are|comes|come)\s+"
+    rf"(?=(?:low|high|up|flat|over|on|at|to|in|between|under|below|above|along|around|behind|beside|just|right|halfway|down|{ROUND})\b)"
+)
+"""A sentence without the part that it is about: "goes low on the front of the head"."""
+_HANGS: Final = r"\s+(?:should\s+|must\s+|will\s+)?(?:hangs?|sits?|stands?|starts?|begins?|grows?|lies?|rests?|belongs?|comes?)\s+(?:out\s+)?(?=(?:from|on|at|in|over|along|between|below|above|under|beside|directly|just|right)\b)"
+_REACHES: Final = re.compile(
+    r",?\s*\b(?:and\s+|so\s+(?:that\s+)?)?(?:the|its|his|her|their)\s+(?:[a-z]+\s+)?(?:paws?|feet|foot|toes|legs?|hooves|tips?)\s+(?:stand|rest|sit|lie|reach|touch)(?:s|es)?\s+(?:flat\s+)?(?:on\s+)?the\s+(?:table|ground|floor)\b[^.;]*"
+)
+"""Limbs that reach what the toy stands on: "and the paws stand flat on the table"."""
+_HELD: Final = re.compile(
+    r",?\s*\b(?:and\s+)?take\s+(?:a\s+few|some|a\s+couple\s+of|two|three)\s+(?:\w+\s+)?stitches\b[^.;]*"
+)
+"""What only holds a part where it is."""
+_COVERS: Final = re.compile(
+    rf"[,;]?\s*\b(?:covering|spanning|reaching over|taking up|stretching over)\s+(?={ROUND}\s?\.?\s*\d)"
+)
+
+
+_STROKES: Final = re.compile(
+    r"\b(?:make|work|sew|take|do|put|add)\s+(?:a|an|one|two|three|\d+)\s+(?:[a-z]+\s+){0,2}?(?:stitch(?:es)?|lines?|strokes?)\b"
+)
+"""What something is drawn with, whose name stands before the sentence: "Smile: … make one long stitch"."""
+
+
+def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
+    """A sentence, at ``begin`` of a text, with the part that its paragraph is about where it leaves it out; as it is otherwise."""
+    line = text.rfind("\n", 0, begin) + 1
+    two = _JOINT.match(text, line)
+    if two is not None and two.start(1) <= begin and (one_ := _part(two[1], names)) and (other := _part(two[2], names)):
+        return f"sew the {_called(one_)} to the {_called(other)}" if _JOINS.search(words.lower()) else words
+    label = _LABEL.match(text, line)
+    drawn = label is not None and label.end() <= begin + 1 and " " not in label[1] and face.motifs(label[1].lower())
+    if (
+        label is not None
+        and drawn
+        and not _part(label[1], names)
+        and (made := _STROKES.search(words.lower())) is not None
+    ):
+        return f"{words[: made.start()]}embroider a {label[1].lower()}{words[made.end() :]}"
+    name = topic(text, begin, names)
+    if not name:
+        return words
+    led = text[begin : label.end()] if label is not None and label.end() > begin else ""
+    own = words[len(led) :] if led and words.startswith(led) else words
+    carries = carried(name, own, names)
+    return words if carries is own else carries
+
+
+def topic(text: str, begin: int, names: tuple[str, ...]) -> str:
+    """The part of ``names`` that the paragraph at ``begin`` of a text is about there; "" where it says none."""
+    line = text.rfind("\n", 0, begin) + 1
+    said = ""
+    label = _LABEL.match(text, line)
+    if label is not None and label.start(1) <= begin:
+        said = label[1]
+    for m in _OPENED.finditer(text, line, begin):
+        said = m[1] if _part(m[1], names) else said
+    return _part(said, names) if said else ""
+
+
+@lru_cache(maxsize=512)
+def _part(said: str, names: tuple[str, ...]) -> str:
+    """The one part that a label names whole."""
+    low = said.lower()
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", low)]
+    made = [Made(name, 1) for name in names]
+    found = mentions(low, made)
+    of = {p.name for m in found for p, _ in m.copies}
+    known = {w for p in made for w in p.words}
+    if len(of) != 1 or not all(w in known or kind_of(w) or w in ("the", "two", "both") for w in words):
+        return ""
+    return of.pop()
+
+
+def carried(name: str, text: str, names: tuple[str, ...]) -> str:
+    """A sentence of a paragraph about the part ``name``, which may leave it out, with it; as it is where it names it."""
+    low = text.lower()
+    part = Made(name, 1)
+    called = _called(name)
+    made = low
+    if (edge := _EDGE.search(made)) is not None and _own(edge, part, made, names):
+        made = f"{made[: edge.start()]}sew the {called}{made[edge.end() :]}"
+    elif (laid := _LAID.search(made)) is not None:
+        made = f"{made[: laid.start()]}sew the {called}{laid['flat'] or ''}{made[laid.end() :]}"
+    elif (bare := _BARE.match(made)) is not None:
+        made = f"sew the {called} {made[bare.end() :]}"
+    else:
+        noun = part.words[-1] if part.words else ""
+        hangs = (
+            re.match(rf"^\W*(?:(?:the|these|each)\s+)?(?:they|it|{re.escape(noun)}s?)?{_HANGS}", made) if noun else None
+        )
+        if hangs is not None:
+            made = f"sew the {called} {made[hangs.end() :]}"
+    if made is low:
+        return text
+    made = _COVERS.sub(" over ", made)
+    return _HELD.sub("", _REACHES.sub(", pointing down", made))
+
+
+def _called(name: str) -> str:
+    """A part's name in a sentence."""
+    return " ".join(re.findall(r"[^\W\d_]+", name.lower()))
+
+
+def _own(edge: re.Match[str], part: Made, low: str, names: tuple[str, ...]) -> bool:
+    """Whether the edge that a sentence begins with is one of the part itself, and another part follows that it is sewn to."""
+    of = edge["of"]
+    if of and _part(of, names) not in ("", part.name):
+        return False  # of another part
+    return VERB.search(low[edge.start() : edge.end()]) is not None or edge["verb"] in ("hold", "lay", "lean", "press")

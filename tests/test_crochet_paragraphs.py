@@ -1,0 +1,178 @@
+"""Assemblies told in paragraphs, each about one part that its sentences leave out: "Tail: sew the open end to the middle of her back on round 9."."""
+
+from __future__ import annotations
+
+import pytest
+
+from crochet_read import counts, pattern, unread
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed
+from tambour.crochet.language.tree import Action
+
+_BALL = (
+    "1. 6 sc in a magic ring. [6]\n2. 2 sc in each st. [12]\n3. *sc in next st, 2 sc in next st; rep from * 5 more times. [18]\n"
+    "4. *sc in next 2 sts, 2 sc in next st; rep from * 5 more times. [24]\n5-{last}. Sc in each st. [24]\n"
+)
+_TUBE = "1. 6 sc in a magic ring. [6]\n2-9. Sc in each st. [6]\n"
+_CAT = (
+    "CAT\n\n{intro}\n\nHEAD\nGrey.\n" + _BALL.format(last=12) + "{end}. *Sc in next 2 sts, sc2tog; rep from * 5 more times. [18]\nFasten off. Stuff.\n\n"
+    "BODY\nGrey. {begins}\n" + _BALL.format(last=22) + "23. *Sc in next 2 sts, sc2tog; rep from * 5 more times. [18]\nFasten off. Stuff.\n\n"
+    "FRONT LEGS (make 2)\nGrey.\n" + _TUBE + "\nHIND LEGS (make 2)\nGrey.\n" + _TUBE + "\nTAIL\nGrey.\n" + _TUBE + "\n"
+    "MUZZLE\nWhite.\n1. 6 sc in a magic ring. [6]\n2. 2 sc in each st. [12]\n\nMAKING UP\n{how}\n"
+)  # fmt: skip
+
+
+def _cat(how: str, intro: str = "She sits about 15 cm tall.", begins: str = "") -> str:
+    return _CAT.format(how=how, intro=intro, begins=begins, end=13)
+
+
+def _placed(words: str) -> dict[str, Placed]:
+    return {r.part: r for r in pattern(words).finish if isinstance(r, Placed)}
+
+
+@pytest.mark.parametrize(
+    ("how", "part", "host", "rounds"),
+    [
+        ("Tail: sew the open end to the middle of her back on round 9.", "TAIL", "BODY", 9.0),
+        ("Tail: hold the flat edge of the tail against her back on round 7 and sew.", "TAIL", "BODY", 7.0),
+        ("3) Muzzle - goes on the front of the head, covering rounds 7 to 10.", "MUZZLE", "HEAD", 8.5),
+        ("First the muzzle. Pin it on the front of the head over rounds 6-9.", "MUZZLE", "HEAD", 7.5),
+        (
+            "Front legs: Stuff them first. The legs hang from round 17, with two sts between them.",
+            "FRONT LEGS.1",
+            "BODY",
+            17.0,
+        ),
+    ],
+)
+def test_a_paragraph_says_its_part_once(how: str, part: str, host: str, rounds: float) -> None:
+    words = _cat(f"Head to body: both openings have 18 sts. Match them and sew.\n{how}")
+    record = _placed(words)[part]
+    assert (record.spot.part, record.spot.round) == (host, rounds)
+    assert unread(words) == []
+
+
+def test_a_paragraph_may_be_about_two_parts() -> None:
+    words = _cat("Head to body: both openings have 18 sts. Match them up and whipstitch all round.")
+    assert _placed(words)["HEAD"].spot.part == "BODY"
+    assert unread(words) == []
+
+
+def test_what_holds_a_part_or_comes_of_it_is_no_other_place() -> None:
+    words = _cat(
+        "Head to body: sew the open edges together.\n"
+        "Front legs: The legs hang from round 16, and the grey paws stand flat on the table. "
+        "Sew the closed tops, and take a few stitches on the inside of each paw into the body."
+    )
+    found = _placed(words)
+    assert {found[f"FRONT LEGS.{k}"].spot.part for k in (1, 2)} == {"BODY"}
+    assert {found[f"FRONT LEGS.{k}"].spot.round for k in (1, 2)} == {16.0}
+
+
+@pytest.mark.parametrize(
+    ("intro", "begins", "up"),
+    [
+        ("She sits about 15 cm tall.", "", "end"),
+        ("A cat for your shelf.", "Begins under her bottom.", "end"),
+        ("Finished height sitting: 14 cm.", "", "end"),
+    ],
+)
+def test_who_sits_is_upright_on_four_legs(intro: str, begins: str, up: str) -> None:
+    words = _cat(
+        "Head to body: sew together.\nFront legs: sew to the body on round 17.\nHind legs: sew to the body on round 5.\nTail: sew to round 6.",
+        intro,
+        begins,
+    )
+    body = next(p for p in pattern(words).parts if p.name == "BODY")
+    assert (body.up or "end") == up
+
+
+_WHALE = (
+    "WHALE\n\nBODY\nBlue.\n1) 6 sc in ring (6)\n2) inc x 6 (12)\n3) (1 sc, inc) x 6 (18)\n4) (2 sc, inc) x 6 (24)\n5) (3 sc, inc) x 6 (30)\n"
+    "6-14) 30 sc (9 rounds)\n{eyes}\n15) (3 sc, dec) x 6 (24)\n16-17) 24 sc (2 rounds)\n18) (2 sc, dec) x 6 (18)\n19) (1 sc, dec) x 6 (12)\n"
+    "Fasten off, stuff.\n\n{parts}\n\nASSEMBLY\n{how}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("lead", "round_"),
+    [
+        (
+            "Cut the yarn of the first lobe, on the second lobe do not cut.",
+            "5) 12 sc around the second lobe, go over to the first one, 12 sc around it (24)",
+        ),
+        (
+            "First make two lobes. Fasten off the first lobe only.",
+            "5) 12 sc around the first lobe, 12 sc around the second lobe (24)",
+        ),
+    ],
+)
+def test_two_lobes_of_one_part_become_one(lead: str, round_: str) -> None:
+    words = (
+        "TAIL\nBlue. Two lobes, then we unite them.\n1) 6 sc in ring (6)\n2) inc x 6 (12)\n3-4) 12 sc (2 rounds)\n"
+        f"{lead}\n{round_}\n6) (2 sc, dec) x 6 (18)\n7) (1 sc, dec) x 6 (12)\nFasten off.\n"
+    )
+    found = pattern("WHALE\n\n" + words)
+    assert [w.made for w in build(found).worked if w.line.in_round][-3:] == [24, 18, 12]
+    assert not [line for part in found.parts for line in part.lines if line.gap]
+
+
+def test_eyes_between_loops_that_are_counted_as_first_and_second() -> None:
+    words = _WHALE.format(
+        eyes="Between rounds 9 and 10: one eye between the 6th and 7th loop of the round, second one between the 21st and 22nd.",
+        parts="",
+        how="Hide the ends.",
+    )
+    eyes = [r.spot for r in pattern(words).finish if isinstance(r, Eye)]
+    assert [(s.round, s.stitch) for s in eyes] == [(9.5, 6.5), (9.5, 21.5)]
+
+
+def test_a_belly_is_opposite_the_back_and_covers_rounds() -> None:
+    belly = "BELLY\nWhite.\nCh 9.\n1) sc in 2nd ch from hook, sc in next 6 ch, 3 sc in last ch; on the other side of the chain: sc in next 6 ch, 2 sc in last ch, where your first sc is (18)\n2) 18 sc"
+    words = _WHALE.format(
+        eyes="",
+        parts=belly,
+        how="Belly: lay the oval along the underside, exactly opposite the back marker, with one round end on round 5 and the other at about round 15.",
+    )
+    found = pattern(words)
+    record = next(r for r in found.finish if isinstance(r, Placed) and r.part == "BELLY")
+    assert record.spot.round == 10.0
+    assert record.spot.stitch is not None
+    assert unread(words) == []
+
+
+def test_a_first_round_behind_its_yarn_in_one_line() -> None:
+    words = _WHALE.format(
+        eyes="",
+        parts="BUTTON\nLight blue. 1) 6 sc in ring (6). Leave a tail for sewing.",
+        how="Button: on top of the body.",
+    )
+    found = pattern(words)
+    button = next(p for p in found.parts if p.name == "BUTTON")
+    assert [line.stated for line in button.lines if line.in_round] == [6]
+    assert any(isinstance(i, Action) and i.name == "color" for line in button.lines for i in line.items)
+    assert unread(words) == []
+
+
+def test_rows_of_a_translator() -> None:
+    words = (
+        "WHALE\n\nBELLY\nWhite, turning rows, along the whale. From row 2 everything BLO, it gives the ridges. "
+        "At the end of every row 1 ch for lifting and turn.\nGather 5 ch.\n"
+        "row 1: from the second ch 4 sc (4)\nrow 2: inc, 2 sc, inc (6)\nrows 3-4: 6 sc (2 rows)\n"
+    )
+    assert counts(words) == [4, 6, 6, 6]
+    lines = pattern(words).parts[0].lines
+    assert any(isinstance(i, Action) and i.name == "color" for line in lines for i in line.items)
+    loops = [any(isinstance(i, Action) and i.name == "blo" for i in line.items) for line in lines if line.in_round]
+    assert loops[0] is False
+    assert all(loops[1:])
+
+
+def test_strokes_are_what_their_paragraph_calls_them() -> None:
+    words = _cat(
+        "Head to body: sew together.\nSmile: with black thread, make one long stitch on the head over round 9, 6 sts wide."
+    )
+    drawn = [r for r in pattern(words).finish if isinstance(r, Embroidery)]
+    assert drawn
+    assert {r.spots[0].part for r in drawn} == {"HEAD"}
+    assert unread(words) == []
