@@ -31,7 +31,7 @@ WEIGHTS: Final = {name: weight for name, weight in CLASSES.items() if name != "a
 
 _ALIASES: Final = {
     "4-ply": "fingering", "4 ply": "fingering", "sock": "fingering", "super fine": "fingering", "5-ply": "sport",
-    "5 ply": "sport", "double knit": "dk", "light worsted": "dk", "8-ply": "dk", "8 ply": "dk", "aran": "worsted",
+    "5 ply": "sport", "double knit": "dk", "double knitting": "dk", "light worsted": "dk", "8-ply": "dk", "8 ply": "dk", "aran": "worsted",
     "10-ply": "worsted", "10 ply": "worsted", "medium": "worsted", "super chunky": "super-bulky",
     "super bulky": "super-bulky", "super-bulky": "super-bulky", "chunky": "bulky", "12-ply": "bulky",
 }  # fmt: skip
@@ -215,7 +215,9 @@ def tells_gauge(words: str) -> bool:
     said = re.search(r"\b(?:gauge|tension|swatch)\b", words, re.IGNORECASE) is not None
     across = _ACROSS.search(words) is not None and re.search(r"\b(?:rounds?|rnds?)\b", words, re.IGNORECASE) is not None
     square = counted and any(abs(n - one) < 0.6 for n in lengths for one in _SWATCHES)
-    return (square or across or (said and counted)) and all(_PLAUSIBLE[0] <= n <= _PLAUSIBLE[1] for n in size)
+    rows = re.search(r"\b(?:rounds?|rnds?|rows?)\b", words, re.IGNORECASE) is not None
+    both = counted and rows and "=" in words and len(lengths) > 0 and all(20.0 <= n <= 160.0 for n in lengths)
+    return (square or both or across or (said and counted)) and all(_PLAUSIBLE[0] <= n <= _PLAUSIBLE[1] for n in size)
 
 
 _NO_GAUGE: Final = re.compile(

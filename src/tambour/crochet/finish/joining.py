@@ -246,7 +246,9 @@ def crowded(joining: Joining) -> list[Problem]:
             told.add(pair)
             message = f'"{f.part}" and "{other.part}" are sewn to the same place'
             hint = "their seams are in each other's way: move one of the two"
-            found.append(Problem(message, hint, f.span, joining.built.pattern.text, warning=True))
+            heads = [p.span for p in joining.built.pattern.parts if p.name in (f.part, f.part.rpartition(".")[0])]
+            span = f.span if f.span.end > f.span.start or not heads else heads[0]  # where it is placed by guess
+            found.append(Problem(message, hint, span, joining.built.pattern.text, warning=True))
     return found
 
 

@@ -17,7 +17,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet.finish.features import materials
     from tambour.crochet.finish.joining import assembly
     from tambour.crochet.maker import size
-    from tambour.crochet.maker.taken import left_open
+    from tambour.crochet.maker.left_open import left_open
     from tambour.crochet.printed.choose import account
     from tambour.crochet.settle.forces import lengths
 

@@ -37,6 +37,15 @@ INCHES: Final = ('"', "”", "in", "inch", "inches")
 _APART: Final = re.compile(
     r"(\d+(?:\.\d+)?)\s*(cm|inch(?:es)?|in|[\"”])[^.;\d]{0,12}(?:[\[(][^\])]*[\])]\s*)?\bapart\b"
 )
+_COUNTED: Final = re.compile(
+    r"(?<![\w/])(\d+)\s*(?:visible |free |empty )?(?:sts?|stitch(?:es)?|loops?)\b(?!\s*(?:wide|high|long|around|in (?:this|the) round))(?=([^.;]{0,30}))"
+)
+_EACH: Final = re.compile(r"\b(?:each|either) (?:side|way)\b|\bfrom (?:the )?(?:middle|cent(?:er|re))\b")
+"""What is counted from the middle to each of two."""
+_BESIDE: Final = re.compile(
+    r"\b(?:just|right|directly|\w+ (?:sts?|stitch(?:es)?|loops?|rounds?|rnds?|rows?)) (?:above|below|beside|behind|under|over|from|off)\b(?! (?:the )?(?:middle|center|centre|front|back|top))"
+    r"|\b(?:above|below|beside|along|next to|touching) the (?:[a-z]+ ){0,2}(?:edge|frame|border|belly|patch|bib|seam|stripe)\b"
+)
 _MISSED: Final = 0.5
 _END: Final = re.compile(r"[.;!?](?=\s)|\n|$")
 _TWO: Final = re.compile(r"\b(?:2|two|both|either side|each side)\b")
@@ -44,6 +53,30 @@ _EYES: Final = re.compile(
     r"\b(?:put|insert|attach|sew|place|add|secure|fix|glue|position|pop|snap|install|push|use|embroider|make)\w*\b[^.;]{0,45}\beyes?\b"
     r"|\beyes?\b[^.;]{0,25}\b(?:are|go|goes|between|at|in|on|into|to)\b|\bfor (?:the )?eyes\b"
 )
+
+
+def paragraph(text: str, start: int, end: int, more: int = 0) -> str:
+    """A sentence to its end, with so many ``more`` behind it in its line, in small letters: there people say more of where it goes."""
+    stop = text.find("\n", max(start, end - 1))
+    line = text[start : stop if stop >= 0 else len(text)].lower()
+    ends = [m.end() for m in re.finditer(r"[.!?](?=\s|$)", line) if m.end() >= end - start]
+    return line[: ends[more]] if len(ends) > more else line
+
+
+def counted(words: str) -> list[int]:
+    """The stitches that she counts between two things: "10 stitches apart", "9 loops free between", "13 stitches down on each side"."""
+    return [int(n) * (2 if _EACH.search(behind) else 1) for n, behind in _COUNTED.findall(words)]
+
+
+def miscounts(words: str, gaps: Sequence[float], count: int) -> float:
+    """By how many stitches two things so far apart, in one or the other way of counting, on a round of ``count`` are elsewhere than her words
+    count; 0 where they count nothing, or as we do: the way round either side, or from the middle to each."""
+    return min((abs(n - have) for n in counted(words) for gap in gaps for have in (gap, count - gap)), default=0.0)
+
+
+def beside(words: str) -> bool:
+    """Whether she says a place by what is near it: "just above the cream edge", "4 loops from the frame", "two stitches above the belly"."""
+    return _BESIDE.search(words) is not None
 
 
 def whole(words: str) -> bool:

@@ -38,32 +38,10 @@ _NEAR: Final = 1.5
 """An end so many rounds from those that she names is where she says."""
 _FAR: Final = 0.5
 """Two parts are another way apart than she says where they miss it by this share."""
+_EXACT, _COUNTS = 0.6, 2.0
+"""By so few stitches eyes are as far apart as she says; by no more than these nothing is said: people count from hole to hole, or whole ones."""
 _LEVEL: Final = 2
 """An edge over no more rounds than this runs along a round."""
-
-
-def left_open(piece: Plush) -> dict[str, object]:
-    """What a designer's sentences leave open, for the report: her line and what the pictures took; {} where the text is ours."""
-    from tambour.crochet.words.table import TERMS
-
-    pattern = piece.built.pattern
-    terms = TERMS.get(pattern.terms)
-    if terms is None or terms.prints(pattern.text.text) or not pattern.finish:
-        return {}
-    taken = Taken(piece, terms.page)
-    found = []
-    for span in sorted({r.span for r in pattern.finish if r.span.end > r.span.start}, key=lambda s: s.start):
-        mine = [r for r in pattern.finish if r.span == span]
-        said = [*taken(mine), taken.eyes([r for r in mine if isinstance(r, Eye)])]
-        line = pattern.text.place(span.start)[0]
-        found += [{"line": line, "took": words.removesuffix(".")} for words in said if words]
-    if not found:
-        return {}
-    lines = list(dict.fromkeys(str(one["line"]) for one in found))
-    return {
-        "left_open": f"{len(found)} things (line{'s' if len(lines) > 1 else ''} {', '.join(lines)})",
-        "taken": found,
-    }
 
 
 class Taken:
@@ -119,10 +97,14 @@ class Taken:
             return ""
         off = [float(int(np.mean([abs(self.off(e.spot)[0]) for e in eyes]) + 0.01))]
         count = self.off(eyes[0].spot)[1]
-        if not off[0]:
-            return ""  # each on a disc of its own
+        if not off[0]:  # each on a disc of its own
+            return ""
         each = self.own["each"].format(what=self.from_middle(eyes[0].spot.part, off, count))
-        words = self.built.pattern.text.text[eyes[0].span.start : eyes[0].span.end].lower()
+        words = sure.paragraph(self.built.pattern.text.text, eyes[0].span.start, eyes[0].span.end, 2)
+        gap = 2.0 * float(np.mean([abs(self.off(e.spot)[0]) for e in eyes]))
+        on = abs((eyes[0].spot.stitch or 0.0) % 1.0 - 0.5) >= 0.26  # on a stitch each, which is none between them
+        if (far := sure.miscounts(words, (gap, gap - 1.0) if on else (gap,), count)) > _EXACT:
+            return self._said([self.own["took elsewhere"].format(what=each)])[0] if far > _COUNTS else ""
         counted = "" if _NUMBERED.search(words) else self._counted([e.spot for e in eyes])
         return "".join(words for words in self._said([each, counted]) if sure.whole(words))
 
@@ -229,8 +211,7 @@ class Taken:
             return [*self._laid(first, part), at]
         low = round(float(np.mean([s[:, 0].min() for s in seams])))
         high = round(float(np.mean([s[:, 0].max() for s in seams])))
-        turn = min(first.across % 180.0, -first.across % 180.0)
-        hers = self.rounds(first)
+        turn, hers = min(first.across % 180.0, -first.across % 180.0), self.rounds(first)
         if hers and hers[1] - hers[0] > 1:
             low, high = hers  # the numbers are those that she says
         if end.ring:
@@ -260,6 +241,17 @@ class Taken:
             said = self._along(first, seams, level, len(alike), sure.level_named(hers, level))
         else:
             said = self._across(alike, low, high, len(end.nodes) - len(end.pinched))
+        if sure.beside(sure.paragraph(self.built.pattern.text.text, first.span.start, first.span.end)):
+            keys = (
+                "off front",
+                "off back",
+                "off top",
+                "off under",
+                "took gap",
+                "took edge",
+            )  # she says it by what is near
+            counts = [re.split(r"\{\w+\}", self.own[key])[-2 if key == "took edge" else -1] for key in keys]
+            said = [words for words in said if not any(one in words for one in counts)]
         return [*said, *self._points(alike), *self._rests(alike, host)]
 
     def _rests(self, alike: list[Placed], host: int) -> list[str]:

@@ -14,7 +14,7 @@ from tambour.crochet.language.finishes import Eye, Finish, Placed
 from tambour.crochet.page.answered import says_way
 from tambour.crochet.page.assembly import held, put_early
 from tambour.crochet.page.book import Book
-from tambour.crochet.page.hers import cleaned
+from tambour.crochet.page.cleaned import cleaned
 from tambour.crochet.page.ordered import Stretch, her_round
 from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.wording import PartText, Row
@@ -55,6 +55,10 @@ _COPIES: Final = frozenset(
         "1",
     )
 )
+_GROUP: Final = re.compile(r"[(\[]([^()\[\]]+)[)\]]\s*(?:[x×*]|times)\s*(\d+)")
+"""What is worked again, in brackets, and how often."""
+_FIRST: Final = re.compile(r"([a-z]+) (\d+)")
+"""A stitch with its number behind it."""
 _WORD: Final = re.compile(r"[^\W_]+")
 
 
@@ -106,7 +110,15 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
             placed[at + 1 : at + 1] = [(Row("", note, ours=True), span.start) for note in notes_at(book, span)]
     first = next((k for k, (row, _) in enumerate(placed) if row.label), len(placed))
     heard = _spoken(book.code)
-    if any(heard.yarn.search(row.words) for row, _ in placed[: first + 1] if row.hers):
+    named = {word.lower() for word in _WORD.findall(block.headed)}
+    hued = [
+        {w.lower() for w in _WORD.findall(book.said.color(row.colors[0])[1])}
+        for row, _ in placed
+        if row.ours and row.colors
+    ]
+    if any(heard.yarn.search(row.words) for row, _ in placed[: first + 1] if row.hers) or any(
+        hue and hue <= named for hue in hued
+    ):
         placed = [one for k, one in enumerate(placed) if k >= first or not (one[0].ours and one[0].colors)]
     placed = [one for k, one in enumerate(placed) if not _done_there(placed, k, heard.done)]
     placed = _filled(book, block, _eyes(book, block, placed, said, steps))
@@ -114,12 +126,13 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
 
 
 def _done_there(placed: list[tuple[Row, int]], k: int, done: Mapping[str, str]) -> bool:
-    """Whether a sentence of hers is a turn or a join that stands in our words of the round before it: "7 sc. Turn."."""
+    """Whether a sentence of hers is a turn, a join or another yarn that stands in our words of the round before it: "7 sc. Turn."."""
     row = placed[k][0]
-    if not row.hers or row.label or row.words.lower() not in done or not k:
+    if not row.hers or row.label or not k:
         return False
-    before = placed[k - 1][0]
-    return bool(before.label) and not before.hers and before.words.endswith(done[row.words.lower()])
+    before, words = placed[k - 1][0], row.words.lower()
+    ended = done.get(words) or f", {words.rstrip('.')}"  # "9 sc, change to ginger"
+    return bool(before.label) and not before.hers and before.words.lower().endswith(ended)
 
 
 def _as_she_numbers(book: Book, placed: list[tuple[Row, int]]) -> list[Row]:
@@ -200,7 +213,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
         stretch = book.hers.worked[k]
         place = stretch.span.start if book.hers.part_at(stretch.span.start) == block.section else -1
         mine = of[k]
-        if stretch.plain and any(one.label for one in mine):
+        if stretch.plain and any(one.label for one in mine) and not (place >= 0 and _grouped(stretch.words, mine)):
             alone = row.span is not None and _HEAD_ALONE.fullmatch(text[row.span.start : row.span.end])
             behind = row.span is not None and row.span.start >= stretch.span.end  # a sentence of hers says it
             if row.label or not (alone or noted(row) or behind):
@@ -224,6 +237,18 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
             _insert(rows, Row("", cleaned(stretch.words, text), span=stretch.span, hers=True), at)
             printed.add(same)
     return iter(rows)
+
+
+def _grouped(words: str, rows: list[Row]) -> bool:
+    """Whether brackets of hers stand otherwise in our words of the same stitches: what is worked again begins elsewhere, "12 sc, (4 sc,
+    dec) x 4" is "16 sc, [dec, 4 sc] x 3, dec"."""
+    ours = " ".join(row.words.lower() for row in rows)
+    known = {*_WORD.findall(ours)}
+    for m in _GROUP.finditer(words.lower()):
+        said = ", ".join(_FIRST.sub(r"\2 \1", piece.strip()).removeprefix("1 ") for piece in m[1].split(","))
+        if {*_WORD.findall(said)} <= known and f"[{said}] x {m[2]}" not in ours:
+            return True
+    return False
 
 
 def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
@@ -307,7 +332,7 @@ def _said(book: Book, block: PartText, steps: bool) -> list[tuple[str, Span]]:
     known = {*_WORD.findall(block.title.lower()), *_COPIES}
     for part, words, span in book.hers.headed:
         rest = [w for w in _WORD.findall(words) if w.lower() not in known or w == "A"]  # "EARS (A, make 2)" says a yarn
-        if part == block.section and _within(block, span.start) and rest:
+        if part == block.section and _within(block, span.start) and rest and words.rstrip(".:") != block.headed:
             said.append((words, span))
     return sorted(said, key=lambda one: one[1].start)
 

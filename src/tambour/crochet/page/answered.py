@@ -21,6 +21,12 @@ _BEGUN: Final = re.compile(
     re.IGNORECASE,
 )
 """How she says where a part is begun: "Begin at bottom.", "starting from the nose"."""
+_MIDDLE: Final = re.compile(
+    r"\bstitch\b[^.;]{0,40}\bmiddle of\b|\b(?:beginning|start) of (?:the |each |every )?(?:rounds?|rnds?)\b[^.;]{0,40}\b(?:middle|back|belly|front|side|underneath|bottom)\b"
+    r"|\brounds? begins?\b[^.;]{0,40}\b(?:middle|back|belly|front|side|underneath|bottom)\b",
+    re.IGNORECASE,
+)
+"""How she says where on a part its rounds begin."""
 _PIECE: Final = re.compile(r"[^.!?;\n]+(?:\n[^.!?;\n]+)*?(?=[.!?;]|\n|$)")
 _LETTERS: Final = re.compile(r"[^\W\d_]+")
 _JOINS: Final = re.compile(
@@ -54,12 +60,14 @@ def onto(book: Book, record: Finish) -> bool:
     )
 
 
-def spoken_for(book: Book, record: Finish) -> str:
-    """Where a sentence of hers puts or works a part somewhere that no record of ours came of, that sentence; "" where her text is silent."""
+def spoken_for(book: Book, record: Finish) -> list[str]:
+    """Where sentences of hers put or work a part somewhere that no record of ours came of, those; none where her text is silent."""
     if book.hers is None or not isinstance(record, Placed) or book.words_of(record):
-        return ""
+        return []
     built = book.piece.built
     pattern, spots = built.pattern, book.taken.spots.parts
+    if said := book.hers.about.get(built.parts[spots[record.part]].section):
+        return [words for words, _ in said]
     mine, host = (pattern.parts[built.parts[spots[name]].section] for name in (record.part, record.spot.part))
     noun, onto_ = (
         one(re.sub(r"_\d+$", "", part.name).split()[-1].lower()) if part.name else "" for part in (mine, host)
@@ -79,8 +87,13 @@ def spoken_for(book: Book, record: Finish) -> str:
         put = low if _BOTH.search(low) else low[verb.end() : to.start() if to is not None else len(low)]
         near = mine.span.start - _ABOVE <= m.start() < below
         if (noun and noun in {one(word) for word in _LETTERS.findall(put)}) or (onto_ and near and onto_ in words):
-            return " ".join(m[0].split()).rstrip(".") + "."
-    return ""
+            return [" ".join(m[0].split()).rstrip(".") + "."]
+    return []
+
+
+def says_middle(words: str) -> bool:
+    """Whether a sentence of hers says on which side of a part its rounds begin, or which stitch is the middle of one."""
+    return _MIDDLE.search(words) is not None
 
 
 def says_way(book: Book, section: int) -> bool:

@@ -17,7 +17,7 @@ from tambour.crochet.maker.size import skin
 from tambour.crochet.maker.sure import joined
 from tambour.crochet.page.angle import angle, called
 from tambour.crochet.page.answered import onto, spoken_for
-from tambour.crochet.page.begin import paragraph, photo
+from tambour.crochet.page.begin import paragraph, photo, spoken_by_her
 from tambour.crochet.page.book import FOOT, MARGIN, OWN, TOP, Book, cropped, short
 from tambour.crochet.page.care import care_room
 from tambour.crochet.page.flow import Atom, Chunk, plan
@@ -72,11 +72,11 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
         size = BODY if max((len(words) for words, _ in sentences), default=0) < 160 else SMALL
         lines: list[Atom] = []
         for sentence, notes in sentences:
-            lines += paragraph(sentence, width, size, None, 0.9 if lines else 0.0)
+            lines += spoken_by_her(book, sentence, width, size, 0.9 if lines else 0.0)
             for note in notes:
                 lines += paragraph(f"› {note}", width, size, None, 0.9)
         told.append((angle(piece, step.parts, step.fresh, " ".join(words for words, _ in sentences)), lines))
-    charts, tried = placement(book), []
+    charts, tried = [*_not_drawn(book, beside), *placement(book)], []
     single = len(book.frame.lefts) == 1  # in a wide column lower ones are large enough
     for share in _SHARES[1:] if single else _SHARES[:-1]:
         chunks = [
@@ -87,13 +87,28 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     return min(tried, key=lambda chunks: _pages(book, chunks))
 
 
+def _not_drawn(book: Book, beside: set[int]) -> list[Chunk]:
+    """Which of a designer's parts stand in no picture, since nothing says where they go."""
+    built = book.piece.built
+    names = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in sorted(beside))
+    if book.hers is None or not any(names):
+        return []
+    said = book.called(book.own["not drawn"].format(parts=", ".join(name for name in names if name)))
+    return [Chunk(paragraph(f"› {said}", book.frame.width))]
+
+
 def guesses(book: Book) -> list[tuple[str, list[str]]]:
     """What we put on a designer's toy of which no sentence of hers says where, a sentence each with what is noted under it."""
     finish = book.piece.built.pattern.finish
     made = list[tuple[str, list[str]]]()
     for step in steps(book.piece):
         ours = [n for n in step.records if not book.words_of(finish[n]) and not onto(book, finish[n])]
-        ours = [n for n in ours if not spoken_for(book, finish[n])]
+        hers = [n for n in ours if spoken_for(book, finish[n])]
+        for name in dict.fromkeys(
+            record.part.rpartition(".")[0] or record.part for n in hers if isinstance(record := finish[n], Placed)
+        ):
+            made.append((f"{book.called(name)}: {book.own['not followed']}", []))
+        ours = [n for n in ours if n not in hers]
         if ours and not _eyes_only(book, step):
             said = [*map(book.called, book.spoken([finish[n] for n in ours]))]
             made += [(words, []) for words in said[:-1]]
@@ -169,7 +184,7 @@ def _with_hers(book: Book, found: list[Step], chunks: list[Chunk]) -> list[Chunk
 def _under(book: Book, step: Step, said: list[str]) -> list[list[str]]:
     """What is noted under each sentence of a step: of several of hers each its own, else all under the last."""
     finish = book.piece.built.pattern.finish
-    of = [[n for n in step.records if (w := book.words_of(finish[n])) and s.startswith(w.rstrip("."))] for s in said]
+    of = [[n for n in step.records if (w := book.sentence_of(finish[n])) and s.startswith(w.rstrip("."))] for s in said]
     if sum(map(bool, of)) < 2 or {n for one in of for n in one} != set(step.records):
         return [*([] for _ in said[1:]), held(book, step.records)]
     return [held(book, one) if one else [] for one in of]
@@ -282,27 +297,32 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
             at = next((i for i, step in enumerate(found) if ends & set(step.fresh) and step.seams), 0)
         made[at].append(line)
     made = marked if marked is not None else [[" ".join(lines)] if lines else [] for lines in made]
-    told: set[str] = set()
+    told, places = set[str](), set[tuple[int, int]]()
     for i, step in enumerate(found):
         records = [finish[n] for n in step.records]
         own = [r for r in records if book.words_of(r)]
         for record in own:
-            words = book.words_of(record).rstrip(".") + "."
-            if words not in told:
-                told.add(words)
-                place = record.span.start, record.span.end
-                more = book.hers.beside.get(place, []) if book.hers is not None else []
-                made[i] += book.hers.ahead.get(place, []) if book.hers is not None else []
-                made[i].append(" ".join([words, *more]))
-        hers = {k: words for k, r in enumerate(records) if not onto(book, r) and (words := spoken_for(book, r))}
-        made[i] += [words for words in dict.fromkeys(hers.values()) if words not in made[i]]
+            words, place = book.sentence_of(record), (record.span.start, record.span.end)
+            if book.hers is None or place in places:
+                continue
+            places.add(place)
+            made[i] += book.hers.ahead.get(place, [])
+            more = [*([words] if words not in told else []), *book.hers.beside.get(place, [])]
+            made[i] += [" ".join(more)] if more else []
+            told.add(words)
+        hers = {k: said for k, r in enumerate(records) if not onto(book, r) and (said := spoken_for(book, r))}
+        made[i] += [w for w in dict.fromkeys(w for said in hers.values() for w in said) if w not in made[i]]
+        made[i] += [f"› {book.own['not followed']}"] if hers else []
+        here = dict.fromkeys(built.parts[k].section for k in step.fresh)
+        more = [w for k in here for w, _ in book.hers.about.get(k, [])] if book.hers is not None else []
+        made[i] += [w for w in more if w not in made[i]]  # of what is put on when all is sewn
         ours = [r for k, r in enumerate(records) if r not in own and k not in hers and not onto(book, r)]
         mark = "› " if book.hers is not None else ""  # of words that are none of hers
         made[i] += [f"{mark}{book.called(words)}" for words in book.spoken(ours)]
         for record in records:
             if isinstance(record, Placed) and onto(book, record):
                 name, host = (one.rpartition(".")[0] or one for one in (record.part, record.spot.part))
-                words = book.called(book.own["worked onto"].format(part=name, onto=host))
+                words = mark + book.called(book.own["worked onto"].format(part=name, onto=host))
                 made[i] += [words] if words not in made[i] else []
         if ours and book.hers is not None:
             made[i].append(f"{mark}{book.own['guess']}")
@@ -313,6 +333,10 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
             made[i] = mine
         if not made[i]:
             made[i] = [*map(book.called, book.spoken(records))]
+    if book.hers is not None:  # of parts that are in no picture
+        seen = {built.parts[k].section for step in found for k in step.fresh}
+        left = (one for k, said in book.hers.about.items() if k not in seen for one in said)
+        book.hers.closing[:0] = [words for words, _ in sorted(left, key=lambda one: one[1].start)]
     return made
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import ceil
 from typing import Final
 
@@ -11,8 +12,10 @@ from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.language.finishes import Embroidery, Finish, Placed
 from tambour.crochet.maker.materials import TAIL, materials
 from tambour.crochet.maker.size import whole_size
+from tambour.crochet.page.answered import says_middle
 from tambour.crochet.page.book import OWN, Book, cropped, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.care import care
+from tambour.crochet.page.cleaned import heads
 from tambour.crochet.page.flow import Atom, Chunk, flow, plan, together
 from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.page.written import sections
@@ -97,6 +100,14 @@ def paragraph(
     return made
 
 
+def spoken_by_her(book: Book, words: str, width: float, size: float = BODY, space: float = 0.0) -> list[Atom]:
+    """A sentence of hers, or a heading that stands among them."""
+    if not heads(words):
+        return paragraph(words, width, size, None, space)
+    made = paragraph(words, width, BODY, book.accent, 2.4, True)
+    return [replace(atom, keep=True) for atom in made]
+
+
 def photo(picture: Picture, width: float, high: float) -> Atom:
     """A picture in the middle of a column."""
     return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high, photo=True), 4.0)
@@ -122,7 +133,9 @@ def begin(book: Book) -> None:
     chunks: list[Chunk] = []
     if book.hers is not None and book.hers.intro:
         told = [
-            atom for k, words in enumerate(book.hers.intro) for atom in paragraph(words, width, space=1.4 if k else 0.0)
+            atom
+            for k, words in enumerate(book.hers.intro)
+            for atom in spoken_by_her(book, words, width, space=1.4 if k else 0.0)
         ]
         chunks += together(heading(book, book.title, width), told, book.title)
     starts = [section.span.start for section in book.piece.built.pattern.parts]
@@ -154,12 +167,13 @@ def begin(book: Book) -> None:
         notes += paragraph(own[key], width, space=1.4)
     if pattern.finish:
         lying = any(part.lies for part in pattern.parts)
-        said_ = [own["below text" if lying else "front text"]]
+        hers = [*book.hers.sentences, *book.hers.intro] if book.hers is not None else []
+        said_ = [] if any(map(says_middle, hers)) else [own["below text" if lying else "front text"]]
         if book.hers is None or book.code not in ("us", "uk") or "apart" in pattern.text.text.lower():
             said_.append(own["apart below" if lying else "apart text"])
         if book.hers is not None and any(_between(book, record) for record in pattern.finish):
             said_.append(own["between text"])
-        notes += paragraph(" ".join(said_), width, space=1.4)
+        notes += paragraph(" ".join(said_), width, space=1.4) if said_ else []
     if any(isinstance(record, Placed) for record in pattern.finish):
         notes += paragraph(_tails(book), width, space=1.4)
         notes += paragraph(own["new"], width, space=1.4)

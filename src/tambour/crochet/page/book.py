@@ -19,8 +19,9 @@ from tambour.crochet.language.finishes import Finish
 from tambour.crochet.maker.size import Size
 from tambour.crochet.maker.taken import Taken
 from tambour.crochet.page.album import Album
+from tambour.crochet.page.cleaned import titled
 from tambour.crochet.page.flow import Frame
-from tambour.crochet.page.hers import hers
+from tambour.crochet.page.hers import Hers, hers
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.ofmodel import noted, of_model, spoken
 from tambour.crochet.page.placed import Spoken
@@ -44,6 +45,8 @@ _LONG = 1.4
 """What is so much deeper than high is long: a whale on its belly."""
 _HUE = 60
 """What is no grey differs in its red, green and blue by so much."""
+_BRACKETED = re.compile(r"\W*([^()\[\]]+?)\s*[(\[][^()\[\]]{1,40}[)\]]\W*")
+"""A heading with something in brackets behind its name."""
 _LEAST = 200
 """Pixels of a photo's shorter side; what is smaller is an ornament."""
 
@@ -99,7 +102,8 @@ class Book:
         self.code = self.said.terms.code
         self.hers = hers(piece.built.pattern, self.code)
         if self.hers is not None:  # as she has them: a part may be done with after others that she begins later
-            self.said = replace(self.said, parts=tuple(sorted(self.said.parts, key=lambda part: _begun(piece, part))))
+            parts = sorted(self.said.parts, key=lambda part: _begun(piece, part))
+            self.said = replace(self.said, parts=tuple(_as_headed(self.hers, part) for part in parts))
         self.spoken = spoken(piece, self.said) if of_model(piece) else Spoken(piece.built, self.said.terms)
         self.own = self.said.terms.page
         self.headed = _headed(piece, self.said)
@@ -107,7 +111,7 @@ class Book:
         stated = piece.built.pattern.stated
         stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
-        self.title = printable(" ".join(title.split())) or self.own["pattern"]
+        self.title = printable(titled(title)) or self.own["pattern"]
         said = self.hers.designer if self.hers is not None else ""
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0] or said).split())
         self.sized = self.said.size or (self.hers.size if self.hers is not None else "")
@@ -149,7 +153,19 @@ class Book:
     def words_of(self, record: Finish) -> str:
         """The designer's own sentence that a finishing record came of; "" where it is ours."""
         a, b = record.span.start, record.span.end
-        return " ".join(self.piece.built.pattern.text.text[a:b].split()) if self.hers is not None and b > a else ""
+        if self.hers is None or b <= a or any(head.start <= a < head.end for _, _, head in self.hers.headed):
+            return ""  # what a heading has in brackets is no sentence
+        return " ".join(self.piece.built.pattern.text.text[a:b].split())
+
+    def sentence_of(self, record: Finish) -> str:
+        """The whole sentence of hers that a finishing record came of, with what stands before it ("Ears:"); "" where it is ours."""
+        said = self.words_of(record)
+        if not said or self.hers is None:
+            return said
+        a, b = record.span.start, record.span.end
+        whole = [words for words, span in self.hers.finishing if span.start < b and a < span.end]
+        said = " ".join(whole) if whole else said
+        return said if said.endswith((".", "!", "?", ")", ":")) else f"{said}."
 
     @property
     def frame(self) -> Frame:
@@ -196,6 +212,16 @@ def _headed(piece: Plush, said: Words) -> dict[str, str]:
     parts = piece.built.pattern.parts
     own = [b for b in said.blocks if b.section >= 0 and b.span is None and not parts[b.section].heading]
     return {name: b.name for b in own if (name := parts[b.section].name) and name != b.name}
+
+
+def _as_headed(hers: Hers, part: PartText) -> PartText:
+    """A part headed as she heads it, where its heading says more than its name in brackets: "EARS (grey, make 2)"."""
+    for section, said, span in hers.headed:
+        if section == part.section and (part.span is None or part.span[0] <= span.start < part.span[1]):
+            found = _BRACKETED.fullmatch(said)
+            if found is not None and " ".join(re.findall(r"\w+", found[1].lower())) == part.name.lower():
+                return replace(part, headed=said.rstrip(".:"))
+    return part
 
 
 def _begun(piece: Plush, part: PartText) -> int:

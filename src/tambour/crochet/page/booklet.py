@@ -12,7 +12,7 @@ from tambour.core.picture import Picture
 from tambour.crochet.language.finishes import Embroidery
 from tambour.crochet.maker.size import skin, whole_size
 from tambour.crochet.page.assembly import assembly, finished
-from tambour.crochet.page.begin import begin, heading, paragraph
+from tambour.crochet.page.begin import begin, heading, spoken_by_her
 from tambour.crochet.page.book import MARGIN, WHITE, Book, along, cropped, cut, short, weight_name
 from tambour.crochet.page.care import set_care
 from tambour.crochet.page.charted import charts
@@ -46,13 +46,13 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     name = book.said.terms.word("assembly") if steps else book.own["last words"]
     if closing:
         width = book.frame.width
-        told = [
+        said = [
             atom
             for k, words in enumerate(closing)
-            for atom in paragraph(words, width, space=1.2 if k or steps else 6.0)
+            for atom in spoken_by_her(book, words, width, space=1.2 if k or steps else 6.0)
         ]
         heads = heading(book, book.own["last words"], width) if steps else []
-        steps += together(heads, told, book.own["last words"])
+        steps += together(heads, said, book.own["last words"])
     if steps:
         head = heading(book, name, book.size[0] - 2 * MARGIN)[0]
         flow(steps, book.frame, lambda: book.page(short(book, name)), again, book.below, head)

@@ -3,47 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from html import unescape
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.language.finishes import Eye, Finish, Placed
 from tambour.crochet.language.tree import Pattern
+from tambour.crochet.page.cleaned import AD, FOOT, NAMES, cleaned, heads, plain_of, sentences
 from tambour.crochet.page.instructions import by_people
-from tambour.crochet.page.ordered import Stretch, paragraph, sentences_between, spans_marked, stretches
-from tambour.crochet.words.table import TERMS, Terms
+from tambour.crochet.page.ordered import Stretch, sentences_between, stretches
+from tambour.crochet.page.preface import BEGUN, before, left
+from tambour.crochet.page.topics import Topics
+from tambour.crochet.words.table import TERMS
 
-_HEAD: Final = re.compile(r"^[\s#*_=|]*(.*?)[\s*_=:|]*$")
-_LISTED: Final = ("materials", "abbreviations", "gauge", "finished size", "special stitches", "yarn", "hook", "eyes")
-_MORE: Final = frozenset(
-    [
-        "supplies",
-        "you will need",
-        "what you need",
-        "tools",
-        "tension",
-        "size",
-        "measurements",
-        "finished measurements",
-        "stitches used",
-        "abbreviation",
-        "you'll need",
-        "you’ll need",
-        "terms",
-        "stitch guide",
-        "legend",
-        "special stitch",
-        "notions",
-        "skills",
-        "safety eyes",
-        "material",
-    ]
-)
-_NEEDED: Final = frozenset(
-    ("supplies", "you will need", "what you need", "material", "notions", "tools", "you'll need", "you’ll need")
-)
-_TERMS: Final = frozenset(("stitches used", "terms", "legend", "abbreviation"))
 _ASSEMBLY: Final = frozenset(
     [
         "assembly",
@@ -61,56 +34,15 @@ _ASSEMBLY: Final = frozenset(
         "final assembly",
     ]
 )
-_TOGETHER: Final = re.compile(r"(?:putting|sewing|stitching|piecing|joining)(?: \w+){0,3} (?:together|up)")
-"""How an assembly is headed besides: "Putting Pip together"."""
-_BULLET: Final = re.compile(r"^[\s#>*•–~☐-]+(?=\S)")
-_SIGN: Final = re.compile(r"\s*[*\[(†‡•+#-]+\s*(?:(?:or|and|to|,)\s*[*\[(†‡•+#-]+\s*)*[\])]?\s*[=:]")
-"""A line that says what a sign means: "* or ** = repeat"."""
-_POINT: Final = re.compile(r"^\s*[*•–~☐·-]\s*\S")
-_SIGNS: Final = "\\s~=_|\u2500-\u27bf\ufe0f\U0001f300-\U0001faff"
-_ORNAMENT: Final = re.compile(rf"^[{_SIGNS}]+|[{_SIGNS}]+$")
-"""What lines are decorated with: rules, hearts, boxes, flowers."""
-_FOOT: Final = re.compile(
-    r"^(?!.*\b(?:see|refer|diagrams?|charts?)\b)(?!\W*(?:turn|go|as|cut|use|follow)\b).{0,70}(?:\bpage|\bseite|\bpágina|\bpagina|\bp\.)\s*\d+(?:\s*(?:of|/|von|de|sur|van)\s*\d+)?\W*$",
-    re.IGNORECASE,
+_TOGETHER: Final = re.compile(
+    r"(?:put|putting|sew|sewing|stitching|piecing|joining)(?: \w+){0,3} (?:together|up)|(?:\w+ ){0,2}(?:assembly|assembling)(?: \w+){0,3}"
 )
-"""The foot of a page, amid the text."""
+"""How an assembly is headed besides: "Putting Pip together"."""
 _REST: Final = re.compile(
     r"^\W*(?:you (?:may|might) also (?:like|love|enjoy)|related (?:posts|patterns)|leave a (?:reply|comment)|\d+ (?:comments?|replies|responses))\W*$",
     re.IGNORECASE | re.MULTILINE,
 )
 """What follows on a page of the web is other people's."""
-_WARES: Final = re.compile(
-    r"\b(?:hooks?|needles?|stuffing|fib(?:er|re)fill|safety eyes|stitch markers?|kapok)\b", re.IGNORECASE
-)
-"""What lists of materials hold, whatever their heading is."""
-_STARRED: Final = re.compile(r"(?<!\w)\*(?=\S)([^*]+?)(?<=\S)\*(?!\w)")
-"""What stands between asterisks is printed in italics elsewhere."""
-_LINK: Final = re.compile(r"\[([^\]\n]+)\]\([^)\s]*\)")
-_ESCAPED: Final = re.compile(r"\\([*_\[\]()#>-])")
-_AD: Final = re.compile(
-    r"^\W*(?:advertisement|sponsored|ad|cookie settings|jump to (?:the )?(?:recipe|pattern)|print (?:the )?pattern"
-    r"|(?:photo|image|picture|foto|imagen)\s*\d*:.*|home\b.{0,60}\b(?:contact|shop|about)(?: me| us)?|.*\baffiliate links?\b.*)\W*$",
-    re.IGNORECASE,
-)
-"""A line of a page of the web that is nobody's sentence."""
-_SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
-_FROM_SIGN: Final = re.compile(r"\s*\*(?=\w)")
-_LETTER: Final = re.compile(r"[^\W\d_]{2}")
-_BY: Final = re.compile(
-    r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer|design(?=:))[: \t]+"
-    r"(?P<name>[A-ZÀ-Þ@][^\n,;|©]{1,50}?)[ \t*_.]*(?:[,;|©].*)?$",
-    re.IGNORECASE | re.MULTILINE,
-)
-"""A line near the top that says who made it: "Amigurumi pattern by Marlow & Hook"."""
-_TERM: Final = re.compile(
-    r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*"
-    r"(?=[;|\n]|,[ \t]*[\w./()]{1,10}[ \t]*=|$)"
-)
-_SEVERAL: Final = re.compile(
-    r"(?P<said>[A-Z]{1,2}(?:(?:, ?| & |,? and )[A-Z]{1,2})+)[ \t]*=[ \t]*(?P<meaning>[^=;|\n]{2,90})"
-)
-"""Letters that mean yarns, in one: "A, B, C = color A, B, C"."""
 _LENGTH: Final = r"\d+(?:[.,]\d+)?\s*-?\s*(?:cm|inch(?:es)?|in\b|[\"”″])"
 _TALL: Final = re.compile(
     rf"(?:(?:about|approx\.?|approximately|around|ca\.?|roughly)\s+)?{_LENGTH}(?:\s*[(/]\s*{_LENGTH}\s*\)?)?\s*(?:tall|high|long|in height)\b"
@@ -119,31 +51,20 @@ _TALL: Final = re.compile(
 )
 """What a sentence says of the finished toy's size."""
 _MORE_OF: Final = re.compile(
-    r"(?:they|it|this|these|those|both|each|make sure|be sure|check|use|leave|stuff|add)\b", re.IGNORECASE
+    r"(?:they|it|this|these|those|both|each|make sure|be sure|check|use|leave|stuff|add)\b|(?:with|in|using) (?:[^\W\d]+ ){0,2}[^\W\d]+,",
+    re.IGNORECASE,
 )
 """How a sentence begins that says more of the one before it."""
-_SPECIAL: Final = frozenset(
-    ("special stitches", "special stitch", "special abbreviations", "stitch guide", "pattern stitches")
-)
-_WORD: Final = re.compile(r"[^\W_]+")
-_BEGUN: Final = ("instructions", "instruction", "directions", "pattern")
-_NOTES: Final = ("notes", "note", "pattern notes", "tips")
+_POINT: Final = re.compile(r"\s*(?:\d{1,2}\s*[.):]|[*•–-]|(?:[^\W\d]+ ){0,3}[^\W\d]+:)\s")
+"""How a line begins that is a point of a list, or headed by what it is about: "3. Fins: …"."""
 _MOSTLY: Final = 0.8
 """A sentence of which a step says this share is not said twice."""
-_MOST_OF: Final = 0.6
-"""A line of which a statement is this share says nothing else."""
-_BROKEN: Final = 45
-"""A line of so many letters may be one that she broke herself, and goes on in the next."""
 _TABLE_HEAD: Final = re.compile(r"^\s*\|(?:\s*[^\W\d]+(?:\s[^\W\d]+)?\s*\|){2,}\s*$")
 """The head of a table of rounds: "| Round | Instructions | Stitches |"."""
-_WORDS: Final = 5
-"""A line of so many words that ends as a sentence does is one, also below a list."""
 
 
 _OVER: Final = 4
 """A heading over several parts stands within so many lines above the first of them."""
-_NAMES: Final = 3
-"""So few words without a point head what stands below them."""
 
 
 @dataclass
@@ -157,6 +78,8 @@ class Hers:
     finishing : all sentences of the assembly, and their places; listed : her lists of abbreviations and stitches, line by line
     beside : of a sentence that puts something somewhere (from, to) → those behind it in its line that say more of it
     ahead : the same → those that stand before it and behind the one before; assembly : where in her text it begins
+    about : of a part that none of her sentences was followed to its place → those that are about it
+    headlines : where the headings of her lists begin
     """
 
     intro: list[str] = field(default_factory=list)
@@ -167,6 +90,7 @@ class Hers:
     inside: dict[int, list[tuple[str, Span]]] = field(default_factory=dict)
     beside: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     ahead: dict[tuple[int, int], list[str]] = field(default_factory=dict)
+    about: dict[int, list[tuple[str, Span]]] = field(default_factory=dict)
     closing: list[str] = field(default_factory=list)
     starts: list[tuple[int, int]] = field(default_factory=list)
     worked: list[Stretch] = field(default_factory=list)
@@ -175,6 +99,7 @@ class Hers:
     finishing: list[tuple[str, Span]] = field(default_factory=list)
     listed: list[str] = field(default_factory=list)
     assembly: int = 1 << 60
+    headlines: set[int] = field(default_factory=set)
 
     def part_at(self, at: int) -> int:
         """The part that a place of the text belongs to."""
@@ -187,7 +112,7 @@ class Hers:
         among += [words for words, _ in self.finishing]
         among += [" ".join(one.words.split()) for one in self.worked if not one.plain]
         steps = [words for said in (*self.beside.values(), *self.ahead.values()) for words in said]
-        return [*among, *self.closing, *steps]
+        return [*among, *self.closing, *steps, *(words for said in self.about.values() for words, _ in said)]
 
 
 def hers(pattern: Pattern, code: str) -> Hers | None:
@@ -203,57 +128,61 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     lines = [(m.start(), m.end(), m[0]) for m in re.finditer(r"[^\n]+", text)]
     starts = sorted((at.start, k) for k, s in enumerate(pattern.parts) if not s.twin for at in (s.span, *s.also))
     made.starts = starts
-    heads = {text.rfind("\n", 0, a) + 1 for a, _ in starts}
+    begins = {text.rfind("\n", 0, a) + 1 for a, _ in starts}
     first = starts[0][0] if starts else 0
     last = starts[-1][0] if starts else len(text)
-    assembles = [a for a, _, line in lines if _plain(line) in assembly or _TOGETHER.fullmatch(_plain(line))]
-    begun = [a for a, _, line in lines if _plain(line.partition(":")[0]) in assembly]  # "Finishing: Sew the ears on."
-    after = made.assembly = min((a for a in (*assembles, *begun) if a > last), default=len(text))
+    assembles = [a for a, _, line in lines if plain_of(line) in assembly or _TOGETHER.fullmatch(plain_of(line))]
+    begun = [a for a, _, line in lines if plain_of(line.partition(":")[0]) in assembly]  # "Finishing: Sew the ears on."
+    done = max((line.span.end for part in pattern.parts for line in part.lines if line.in_round), default=len(text))
+    other = [
+        a for a, _, line in lines if a >= done and heads(cleaned(line)) and "(" not in line
+    ]  # "BUILDING YOUR COTTAGE"
+    after = made.assembly = min((a for a in (*assembles, *begun) if a > last), default=min(other, default=len(text)))
     finishing = {_span(record) for record in pattern.finish}
     worked = [r for r in pattern.finish if isinstance(r, Eye) or (isinstance(r, Placed) and r.through)]
-    stepped = [record.span for record in pattern.finish if record not in worked]
+    stepped = [record for record in pattern.finish if record not in worked]
     above = _headed_above(lines, first) if starts else first
-    _before(made, pattern, terms, [one for one in lines if one[0] < above and one[0] not in heads])
+    before(made, pattern, terms, [one for one in lines if one[0] < above and one[0] not in begins])
     made.size = " ".join(found[0].split()) if (found := _TALL.search(text[:first])) is not None else ""
-    waiting: list[str] = []  # what she says before the next step
+    steps = _Steps(made, pattern, stepped)
     covered = [line.span.start for part in pattern.parts for line in part.lines]
     rest = next((m.start() for m in _REST.finditer(text, max(last, max(covered, default=0)))), len(text))
     made.worked = [
         replace(
-            one, words="\n".join(line for line in one.words.split("\n") if not (_AD.match(line) or _FOOT.match(line)))
+            one, words="\n".join(line for line in one.words.split("\n") if not (AD.match(line) or FOOT.match(line)))
         )
         for one in stretches(pattern, text.rfind("\n", 0, first) + 1, rest)
     ]
     over = (-1, -1)  # the part that a heading stands over with the sentences below it, and where it begins
     named = {at.start: at for s in pattern.parts for at in (s.span, *s.also)}
-    for a, b, _ in _whole([one for one in lines if one[0] < rest], text, heads, finishing):
-        if (a < above and a not in heads) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, _AD, _FOOT)):
+    for a, b, _ in _whole([one for one in lines if one[0] < rest], text, begins, finishing):
+        if (a < above and a not in begins) or any(junk.match(text[a:b]) for junk in (_TABLE_HEAD, AD, FOOT)):
             continue
         if a >= after:
             if a != after or a not in assembles:
                 pieces = list(sentences_between(text, a, b, made.worked))
-                made.finishing += [one for c, d in pieces for one in _sentences(text, c, d)]
+                made.finishing += [one for c, d in pieces for one in sentences(text, c, d)]
                 for c, d in pieces:
-                    _closing(made, text, c, d, finishing, {(s.start, s.end) for s in stepped}, waiting)
+                    steps.line(c, d)
             continue
         for c, d in sentences_between(text, a, b, made.worked):
-            for words, span in _sentences(text, c, d):
+            for words, span in sentences(text, c, d):
                 part = max(
                     ((start, k) for start, k in starts if start < span.end), default=starts[0] if starts else (0, 0)
                 )[1]
                 if any(span.start <= at < span.end for at in named):
                     made.headed.append((part, words, span))
                     continue
-                if any(_told(span, step) for step in stepped):
+                if any(_told(span, step.span) for step in stepped):
                     made.told.add((span.start, span.end))  # a step of the assembly says it
-                if words.isupper() and len(words.split()) <= _NAMES:  # "STARFISH" above its first part
+                if words.isupper() and len(words.split()) <= NAMES:  # "STARFISH" above its first part
                     over = next(((start, k) for start, k in starts if start >= span.end), over)
                     if any(span.end <= one.span.start < over[0] for one in made.worked):
                         over = (-1, -1)
                 part = over[1] if span.end <= over[0] else part
                 made.inside.setdefault(part, []).append((words, span))
-    made.closing += waiting
-    made.intro += _left(made, pattern, [one for one in lines if one[0] < above and one[0] not in heads])
+    made.closing += steps.waiting
+    made.intro += left(made, pattern, [one for one in lines if one[0] < above and one[0] not in begins])
     for said in made.inside.values():
         said.sort(key=lambda one: one[1].start)
     return made
@@ -264,132 +193,15 @@ def _headed_above(lines: list[tuple[int, int, str]], first: int) -> int:
     that of the instructions."""
     before = [(a, line.strip()) for a, b, line in lines if b < first]
     for a, line in before[:-_OVER:-1]:
-        if _plain(line) in _BEGUN:
+        if plain_of(line) in BEGUN:
             break
         if (
             line.isupper()
-            and len(line.split()) <= _NAMES
-            and any(_plain(one) in _BEGUN for at, one in before if at < a)
+            and len(line.split()) <= NAMES
+            and any(plain_of(one) in BEGUN for at, one in before if at < a)
         ):
             return a
     return first
-
-
-def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, int, str]]) -> None:
-    """Sorts what stands before the parts: who made it, her lists, and her sentences."""
-    text = pattern.text.text
-    spoken = {key: {s.lower() for s in (terms.word(key), key)} for key in _LISTED}
-    title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
-    wares = {said for key in ("yarn", "hook", "eyes") for said in spoken[key]}
-    lists, long = _lists(lines), 0
-    mode, unended = "", False
-    end = -1
-    for a, b, line in lines:
-        headline = False
-        plain, gap, end = _plain(line), "\n" in text[end + 1 : a] if end >= 0 else True, b
-        head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip().removeprefix("uk ").removeprefix("us ")
-        by = _BY.match(line) if not made.designer and len(line) < 90 else None
-        sentence = line.rstrip().endswith((".", "!", "?")) and len(line.split()) >= _WORDS and not _BULLET.match(line)
-        if _ORNAMENT.sub("", plain) == title or not _LETTER.search(plain) or _AD.match(line) or _FOOT.match(line):
-            continue
-        if by is not None:
-            made.designer = " ".join(by["name"].split())
-        elif mode == "materials" and head in wares and head != plain:
-            made.materials.append(
-                _ORNAMENT.sub("", " ".join(_BULLET.sub("", line).split()))
-            )  # "Yarn: DK in blue" among them
-        elif plain in _BEGUN:
-            mode = ""
-        elif head in _NOTES:
-            mode = ""
-            made.intro += [cleaned(line, text)] if plain != head else []
-        elif head in _MORE or head.rstrip("s") in _MORE or any(head in said for said in spoken.values()):
-            headline = True
-            mode = "terms" if head in _TERMS or head in spoken["abbreviations"] else "listed"
-            mode = "special" if head in _SPECIAL or head in spoken["special stitches"] else mode
-            mode = "materials" if head in _NEEDED or head in spoken["materials"] else mode
-        elif not mode and a in lists:
-            mode = "materials"
-        elif mode and (not (gap and sentence) or (mode == "materials" and _stated(pattern, a, b))):
-            if mode == "materials":
-                made.materials.append(_ORNAMENT.sub("", " ".join(_BULLET.sub("", line).split())))
-        elif not _stated(pattern, a, b):
-            mode = ""
-            broken = unended and (long >= _BROKEN or line[:1].islower())
-            if not gap and made.intro and broken and not _BULLET.match(line):
-                made.intro[-1] = cleaned(f"{made.intro[-1].rstrip('.')} {line}", text)  # a line that she broke herself
-            else:
-                made.intro.append(cleaned(line, text))
-            unended = not line.rstrip().endswith((".", "!", "?", ":", ")"))
-            long = len(line)
-        else:  # what else it says than its gauge or size
-            spans = [span for key, (_, span) in pattern.stated.items() if key != "title"]
-            said = [
-                w for w, at in _sentences(text, a, b) if not any(s.start < at.end and at.start < s.end for s in spans)
-            ]
-            made.intro += [" ".join(said)] if said else []
-        if mode == "terms":
-            plain = line.strip() if _SIGN.match(line) else _BULLET.sub("", line)
-            words = plain.partition(":")[2] if headline else plain
-            made.listed += [" ".join(words.split())] if _WORD.search(words) else []
-            several = _SEVERAL.fullmatch(plain.strip())
-            made.terms |= (
-                {several["said"]: several["meaning"].strip()}
-                if several is not None
-                else {m["said"]: m["meaning"].strip() for m in _TERM.finditer(plain)}
-            )
-        elif mode == "special":
-            words = line.partition(":")[2] if headline else line
-            made.listed += [" ".join(_BULLET.sub("", words).split())] if _WORD.search(words) else []
-
-
-def _left(made: Hers, pattern: Pattern, lines: list[tuple[int, int, str]]) -> list[str]:
-    """The sentences before the parts that none of her lists holds, nor what she states."""
-    text, printed = pattern.text.text, ("title", "gauge", "size") if made.materials else tuple(pattern.stated)
-    stated = [pattern.stated[key][0] for key in printed if key in pattern.stated]
-    kept = _run(" | ".join([*made.intro, *made.materials, *made.listed, *stated, made.designer]))
-    known = {
-        *_MORE,
-        *_NEEDED,
-        *_TERMS,
-        *_NOTES,
-        *_SPECIAL,
-        "instructions",
-        "pattern",
-        "directions",
-        "abbreviations",
-        "materials",
-        "gauge",
-    }
-    found: list[str] = []
-    for a, b, line in lines:
-        if _plain(line) in known or _AD.match(line) or _FOOT.match(line) or _BY.match(line):
-            continue
-        found += [
-            words
-            for words, _ in _sentences(text, a, b)
-            if _run(words) not in kept and _run(words.partition(":")[2] or words) not in kept
-        ]
-    return found
-
-
-def _run(words: str) -> str:
-    """Words alone, each between blanks."""
-    return f" {' '.join(_WORD.findall(words.lower()))} "
-
-
-def _lists(lines: list[tuple[int, int, str]]) -> set[int]:
-    """Where headings of lists of materials begin, whatever they say: lines above points that name what is needed."""
-    found = set()
-    for k, (a, _, line) in enumerate(lines):
-        points: list[str] = []
-        for _, _, other in lines[k + 1 :]:
-            if not _POINT.match(other):
-                break
-            points.append(other)
-        if len(points) > 1 and not _POINT.match(line) and sum(bool(_WARES.search(p)) for p in points) > 1:
-            found.add(a)
-    return found
 
 
 def _told(span: Span, step: Span) -> bool:
@@ -418,74 +230,57 @@ def _whole(
     return made
 
 
-def _closing(
-    made: Hers,
-    text: str,
-    a: int,
-    b: int,
-    finishing: set[tuple[int, int]],
-    steps: set[tuple[int, int]],
-    waiting: list[str],
-) -> None:
-    """The sentences of a line of the assembly that no finishing record tells: they go with the one before them in their line, else
-    they wait for the next of the ``steps``."""
-    before: tuple[int, int] | None = None
-    fresh = True  # nothing of this line waits yet
-    for words, span in _sentences(text, a, b):
-        mine = next((one for one in finishing if one[0] < span.end and span.start < one[1]), None)
-        if mine is not None:
-            before, fresh = mine, True
-            if waiting and mine in steps:
-                made.ahead[mine] = [*made.ahead.get(mine, []), *waiting]
-                waiting.clear()
-        elif before is not None and _MORE_OF.match(words):
-            made.beside.setdefault(before, []).append(words)
-        elif fresh:
-            waiting.append(words)
-            fresh = False
-        else:
-            waiting[-1] += f" {words}"  # a paragraph of hers
+class _Steps:
+    """What hands the sentences of the assembly to its steps, a line at a time.
 
+    told : places of the sentences that finishing records came of, and which of them stand with a step; waiting : what she says before the
+    next step
+    """
 
-def _plain(line: str) -> str:
-    found = _HEAD.match(line)
-    return found[1].strip().lower() if found else ""
+    def __init__(self, made: Hers, pattern: Pattern, stepped: Sequence[Finish]) -> None:
+        self.made, self.text = made, pattern.text.text
+        self.told = {_span(record): False for record in pattern.finish} | {_span(record): True for record in stepped}
+        self.topics = Topics(pattern)
+        self.waiting: list[str] = []
 
+    def line(self, a: int, b: int) -> None:
+        """The sentences of a line, or of a piece of one: those that no record tells go with the step of the part that they are about, or
+        with the one before them; else they wait for the next."""
+        before: tuple[int, int] | None = None
+        about = -1
+        fresh = True  # nothing of this line waits yet
+        alone = _POINT.match(self.text, a, b) is not None
+        for words, span in sentences(self.text, a, b):
+            if heads(words):
+                self.waiting.append(words)
+                continue
+            mine = next((one for one in self.told if one[0] < span.end and span.start < one[1]), None)
+            if mine is not None:
+                before, fresh, about = mine if self.told[mine] else None, True, self.topics.put.get(mine, -1)
+                if self.waiting and self.told[mine]:
+                    self.made.ahead[mine] = [*self.made.ahead.get(mine, []), *self.waiting]
+                    self.waiting.clear()
+                continue
+            named = self.topics(words)
+            same = named == about if named >= 0 else alone or _MORE_OF.match(words) is not None
+            before = before if same else None
+            about = named if named >= 0 else about if same else -1
+            if before is not None:
+                self.made.beside.setdefault(before, []).append(words)
+            elif about >= 0 and (step := self._step(about, span)) is not None:
+                (self.made.ahead if step[0] > span.start else self.made.beside).setdefault(step, []).append(words)
+            elif about >= 0:
+                self.made.about.setdefault(about, []).append((words, span))
+            elif fresh:
+                self.waiting.append(words)
+                fresh = False
+            else:
+                self.waiting[-1] += f" {words}"  # a paragraph of hers
 
-def cleaned(words: str, text: str = "") -> str:
-    """A sentence without what lists and Markdown put about it, and with its point; of a ``text`` that marks what is worked again
-    with two asterisks they stay."""
-    marked = spans_marked(text or words)
-    if _FROM_SIGN.match(words) and words.count("*") == 1 and "from *" in paragraph(words, text):
-        return f"*{cleaned(words.lstrip()[1:], text)}"  # "*Ch 3. … Rep from * around."
-    if words.lstrip().startswith("|"):  # a row of a table
-        words = " – ".join(cell.strip() for cell in words.strip().strip("|").split("|") if cell.strip())
-    words = _ESCAPED.sub(r"\1", _LINK.sub(r"\1", unescape(words)))
-    if marked:
-        words = " ".join(re.sub(r"^[\s#>•–~☐-]+(?=\S)", "", words).split())
-    else:
-        words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
-    words = _ORNAMENT.sub("", words).rstrip(",;")
-    return words if not words or words[-1] in ".!?:)" or words.isupper() or len(words.split()) < _NAMES else f"{words}."
-
-
-def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
-    """The sentences of a line, with their places; headings and bare counts are none."""
-    made = []
-    at = a
-    for piece in _SENTENCE.split(text[a:b]):
-        begin = text.index(piece, at)
-        at = begin + len(piece)
-        words = cleaned(piece, text)
-        if _LETTER.search(words):
-            made.append((words, Span(begin, at)))
-    return made
-
-
-def _stated(pattern: Pattern, a: int, b: int) -> bool:
-    """Whether a line says what is told elsewhere, its gauge, its size, and little else: a sentence that tells more stays."""
-    said = [span for key, (_, span) in pattern.stated.items() if key != "title" and a <= span.start < b]
-    return any(min(span.end, b) - span.start >= _MOST_OF * (b - a) for span in said)
+    def _step(self, section: int, span: Span) -> tuple[int, int] | None:
+        """The step of a part that stands nearest to a sentence."""
+        found = [one for one, part in self.topics.put.items() if part == section and self.told.get(one)]
+        return min(found, key=lambda one: abs(one[0] - span.start), default=None)
 
 
 def _span(record: object) -> tuple[int, int]:

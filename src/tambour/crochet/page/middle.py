@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Placed, spots_of
+from tambour.crochet.page.answered import says_middle
 from tambour.crochet.page.ofmodel import of_model
 from tambour.crochet.page.wording import PartText, Row
 
@@ -60,6 +61,8 @@ def marked(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     spots = Spots(built)
     if block.part < 0 or block.section < 0 or of_model(book.piece) or spots.in_rows[block.part]:
         return rows
+    if book.hers is not None and any(says_middle(words) for words, _ in book.hers.inside.get(block.section, [])):
+        return rows  # she has it marked herself
     name = built.pattern.parts[block.section].name
     wanted = {
         n

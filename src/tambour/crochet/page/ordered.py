@@ -21,7 +21,7 @@ from tambour.crochet.words.table import TERMS, Terms
 
 _SPELT: Final = frozenset(
     """a across again all along an and around as at beg beginning between bl blo both by ch chain chains chs corresponding crochet dc dec
-    decrease each end every fl flo following foll from front back hdc hook half double in inc increase into join last loop loops lp lps
+    decrease each end every fl flo following foll from front back hdc hook half double in inc increase into join last loop loops lp lps more
     magic mr make next now of once one only opposite other over rem remain remaining rep repeat repeating rest ring rnd rnds round rounds
     row rows s same sc second side single sk skip sl slip sp space spaces st start starting stitch stitches sts the them then there these
     they this three till time times to tog together total tr treble triple turn turning twice two until up v will with work worked x yo

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from tambour.core.picture import Picture
+from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, spots_of
 from tambour.crochet.page.among import noted, with_hers
@@ -13,6 +14,7 @@ from tambour.crochet.page.answered import says_way
 from tambour.crochet.page.assembly import DOTS
 from tambour.crochet.page.begin import heading, photo
 from tambour.crochet.page.book import OWN, Book, cropped
+from tambour.crochet.page.cleaned import heads
 from tambour.crochet.page.flow import Atom, Chunk, plan, together
 from tambour.crochet.page.middle import marked
 from tambour.crochet.page.pictures import of_parts
@@ -128,15 +130,16 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
     """A line of a part: a box to tick, the round, what is done, its count; and the colours that it changes to."""
     changes = [color for color in row.colors if color in book.used]
     if not row.label:
-        size = SMALL if row.ours else BODY
-        lines = wrap(row.words, size, width - (7.0 if changes else 0.0))
+        size, bold = SMALL if row.ours else BODY, row.hers and heads(row.words)
+        lines = wrap(row.words, size, width - (7.0 if changes else 0.0), bold)
+        ink = SOFT if row.ours else book.accent if bold else INK
 
         def alone(sheet: Page, x: float, y: float) -> None:
             for k, color in enumerate(changes[:1]):
                 sheet.box(x + 5.4 * k, y + 0.5, 4.2, BODY + 0.2, color, HAIR, 0.15, 0.8)
-            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + size, size, color=SOFT if row.ours else INK)
+            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + size, size, bold, ink)
 
-        return Atom(len(lines) * size * LEADING + 1.0, alone, 0.4, keep=bool(changes))
+        return Atom(len(lines) * size * LEADING + 1.0, alone, 2.4 if bold else 0.4, keep=bool(changes) or bold)
     left = _TICK + 2.0 + label
     lines = wrap(f"{row.words} {row.doubt}".strip(), BODY, width - left - count) or [""]
     ticks, below = _ticks(row.times, width - left - count, width_of(lines[-1], BODY) + 2.0)
@@ -180,7 +183,10 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     if book.hers is not None and block.part >= 0 and (end := book.taken.end(block.part)):
         made.append(Row("", end, ours=True))
     if made and (stuffed := _stuffed(book, block)):
-        made.append(Row("", stuffed, ours=True))
+        last = next(
+            (k for k, row in enumerate(made) if k and row.hers and not row.label and heads(row.words)), len(made)
+        )
+        made.insert(last, Row("", stuffed, ours=True))
     if (way := _way_up(book, block)) and made:
         made.insert(0, Row("", way, ours=True))
     return made
@@ -202,8 +208,14 @@ def _stuffed(book: Book, block: PartText) -> str:
     if book.hers is None or block.part < 0 or block.section < 0:
         return ""
     section, part = built.pattern.parts[block.section], built.graph.parts[block.part]
-    sewn = any(isinstance(r, Placed) and r.part in (section.name, f"{section.name}.1") for r in built.pattern.finish)
-    if not sewn or section.guessed or section.stuffing is not None or part.stuffing <= 0.0:
+    sewn = [r for r in built.pattern.finish if isinstance(r, Placed) and r.part in (section.name, f"{section.name}.1")]
+    if (
+        not sewn
+        or any(end_of(built, Spots(built), r).laid for r in sewn)
+        or section.guessed
+        or section.stuffing is not None
+        or part.stuffing <= 0.0
+    ):
         return ""
     said = " ".join(words.lower() for words, _ in book.hers.inside.get(block.section, []))
     rest = " ".join([*book.hers.intro, *book.hers.closing]).lower()

@@ -45,7 +45,7 @@ class PartText:
 
     settings : hints for the simulation, which are no instructions; part : its first copy among the graph's parts
     section : its place among the pattern's parts; span : where its text begins and ends, where that is not all of the part's
-    above : what heads it and the parts below it ("STARFISH")
+    above : what heads it and the parts below it ("STARFISH"); headed : how its designer heads it, "" for nothing but its name and copies
     """
 
     name: str
@@ -56,11 +56,12 @@ class PartText:
     section: int = -1
     span: tuple[int, int] | None = None
     above: tuple[str, ...] = ()
+    headed: str = ""
 
     @property
     def title(self) -> str:
         """Its heading."""
-        return f"{self.name} {self.copies}".strip()
+        return self.headed or f"{self.name} {self.copies}".strip()
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair, Placed, Spot
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Action, Section
+from tambour.crochet.page.cleaned import titled
 from tambour.crochet.page.legs import legs
 from tambour.crochet.page.plain import fills, reach
 from tambour.crochet.page.rounds import Rounds, all_of, hues_of, sentence
@@ -183,7 +184,9 @@ class Writer:
         return " ".join(self.pattern.stated[key][0].split()) if key in self.pattern.stated else ""
 
     def _title(self) -> str:
-        title = self._stated("title") or PurePath(self.pattern.text.name).stem.replace("_", " ")
+        title = titled(self.pattern.stated.get("title", ("",))[0]) or PurePath(self.pattern.text.name).stem.replace(
+            "_", " "
+        )
         title = _TERMS_SAID.sub("", title)
         return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
 

@@ -23,7 +23,7 @@ from tambour.crochet.printed.between.dyed import colors_told, yarns_told
 from tambour.crochet.printed.between.lines import goes_on, rounds, stop_between, wrapped
 from tambour.crochet.printed.between.opening import alone, founds, opening
 from tambour.crochet.printed.between.prose import WRAPPED, text_line
-from tambour.crochet.printed.between.spoken_of import spoken_of
+from tambour.crochet.printed.between.spoken_of import remedy, spoken_of
 from tambour.crochet.printed.between.unseen import unseen_told
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.headed import Headed
@@ -188,8 +188,7 @@ class Printed(Headed):
         usually, found.finish = spoken_of(self, pattern, found.finish)
         self.lost = [s for s in found.lost if not any(s.start < at.end and at.start < s.end for at in usually.values())]
         for span in self.lost:
-            hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
-            source.doubt(UNPLACED, hint, span)
+            source.doubt(UNPLACED, remedy(pattern, span), span)
         hint = "say the rounds, and how many stitches apart, to have them elsewhere"
         for name, span in usually.items():
             where = [words for part, words in found.guessed if part == name]
@@ -199,11 +198,13 @@ class Printed(Headed):
             source.doubt(f"{GUESSED}: {told(found)}", hint, self._named(found.guessed[0][0]))
         if found.apart:
             hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
-            source.doubt(f"{ASIDE}: {', '.join(found.apart)}", hint, Span(0, 0))
+            source.doubt(f"{ASIDE}: {', '.join(found.apart)}", hint, self._named(found.apart[0]))
         if found.behind:
             hint = "they are worked and counted: work through both layers as the text says"
             source.doubt(
-                f"pieces that lie behind others like them are not shown: {', '.join(found.behind)}", hint, Span(0, 0)
+                f"pieces that lie behind others like them are not shown: {', '.join(found.behind)}",
+                hint,
+                self._named(found.behind[0]),
             )
         for record in found.finish:
             # What is guessed wrongly is told, and does not refuse the whole text.

@@ -26,7 +26,7 @@ _SIZED: Final = re.compile(r"(?:size|#)\s*#?\s*\d", re.IGNORECASE)
 
 def prefaced(p: State, row: Row, tokens: list[Token]) -> None:
     """Takes what a line above the first part tells of the toy's size, its yarn and the hook, where no heading says it."""
-    if p.parts or p.mode == "abbreviations" or p.below:
+    if p.parts or p.mode == "abbreviations":
         return
     begin = row.tokens[0].start
     line = p.source.text.text[begin : row.tokens[-1].end]
@@ -37,7 +37,7 @@ def prefaced(p: State, row: Row, tokens: list[Token]) -> None:
         if tells_gauge(told[0]):
             span = Span(begin + told.start(), begin + told.end())
             p.hinted.setdefault("gauge", (" ".join(told[0].split()), span))
-    if p.mode == "materials":
+    if p.mode == "materials" or p.below:
         return
     sized: list[Span] = []
     for clause in _CLAUSE.finditer(line):

@@ -17,7 +17,7 @@ _IS: Final = frozenset(
     ("is", "are", "was", "were", "will", "can", "could", "may", "might", "would", "should", "has", "have", "measures", "loves", "likes", "causes", "form", "forms", "look", "looks")
 )  # fmt: skip
 _PAGE: Final = re.compile(
-    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|\bcopyright\b|\ball rights reserved\b|^\s*\(c\)\s*\w|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
+    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|\bcopyright\b|\ball rights reserved\b|^\s*(?:pattern )?\(c\)\s*\w|\b(?:personal|private) use\b|\bmay (?:not )?be (?:copied|sold|shared|resold)\b|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
     re.IGNORECASE,
 )  # fmt: skip
 _TIP: Final = re.compile(r"\bgo (?:up|down)\b[^.]*\bhook\b", re.IGNORECASE)

@@ -60,6 +60,24 @@ def spoken_of(p: State, pattern: Pattern, finish: list[Finish]) -> tuple[dict[st
     ]
 
 
+def remedy(pattern: Pattern, span: Span) -> str:
+    """What to say instead of a sentence that puts something nowhere, of the parts that it names itself."""
+    low = english(pattern.text.text[span.start : span.end], pattern.terms).text.lower()
+    names = list(
+        dict.fromkeys(
+            part.name for m in mentions(low, [Made(p.name, p.copies) for p in pattern.parts]) for part, _ in m.copies
+        )
+    )
+    many = {part.name: part.copies > 1 for part in pattern.parts}
+    part = next((name for name in names if name), "")
+    if not part:
+        return "name the part, what it is sewn to, and the round: sew the tail to the body at round 9, in the middle of the back"
+    host = next((name for name in names[1:] if name), "") or "the part that it goes on"
+    host = host if host.startswith("the ") else f"the {host.lower()}"
+    where = ", 8 stitches apart" if many.get(part) else ", in the middle of the front"
+    return f"say what it is sewn to, the round and the side: sew the {part.lower()} to {host} between rounds 5 and 6{where}"
+
+
 def _base(record: Placed, starts: dict[str, int]) -> str:
     """The part that a record's is a copy of."""
     return record.part if record.part in starts else record.part.rpartition(".")[0]

@@ -14,6 +14,9 @@ from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
+_AS_ROUNDS: Final = "say it as in the other rounds, or leave it out"
+_AS_PLACED: Final = "say which part goes where, with a round and a side, or leave it as it is: the booklet keeps it"
+_AS_SAID: Final = "say it in simpler words, or leave it as it is: the booklet keeps it"
 _OTHERWISE: Final = frozenset("reverse reversing reversed mirror mirrored mirroring alternate alternating".split())
 _CHANGES: Final = frozenset("change changes changing alternate switch".split())
 
@@ -100,6 +103,7 @@ def left_over(p: State, tokens: list[Token]) -> None:
             return
         if p.parts and p.mode != "assembly" and any(t.kind == "stitch" for t in tokens):
             p.parts[-1].sure = False
-        p.tell(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
+        worked = any(t.kind == "stitch" for t in tokens) and p.mode != "assembly"
+        p.tell(NOT_UNDERSTOOD, _AS_ROUNDS if worked else _AS_PLACED if p.mode == "assembly" else _AS_SAID, span)
     elif p.parts:
         p.passed.append(Span(tokens[0].start, tokens[-1].end))
