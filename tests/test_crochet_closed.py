@@ -71,3 +71,8 @@ def test_a_drawn_together_end_shows_no_hole_wider_than_a_third_of_the_yarn() -> 
 def test_between_the_stitches_one_sees_the_yarn_behind_and_not_the_lining() -> None:
     """It lay amid the fabric, before the strands behind, and showed between the legs of half doubles in thin arms."""
     assert widest(ARM, *((60.0 * k, 12.0 * (k % 2)) for k in range(6))) < 0.25
+
+
+def test_no_hole_of_a_stuffed_ball_is_wider_than_a_fifth_of_the_yarn() -> None:
+    """Between the legs of its Vs, and about its decreases, one looked through to the lining: a third of the yarn and more."""
+    assert widest(BALL, *((60.0 * k, 50.0 * (-1) ** k) for k in range(6))) < 0.2

@@ -841,3 +841,17 @@ def test_only_neighbours_are_drawn_together_as_one_v() -> None:
         graph = build(parse(Text(base + last, "bag.acl"))).graph
         assert lead.invisible(graph, lead.roles(graph)).sum() <= (many if many else 1), last
         assert lead.invisible(graph, lead.roles(graph)).sum() >= many, last
+
+
+def test_a_seam_is_drawn_into_the_edge_that_it_closes() -> None:
+    """Its stitches lay over a muzzle's edge as a row of loops that stood up."""
+    from crochet_toys import TEXT_BALL
+
+    horn = "== Horn ==\nR1: MR(6)\nR2: 6 inc\nR3-R6: 12 sc\nplace(Horn, Ball, round=6, stitch=12)\n"
+    made = make(Text(TEXT_BALL + horn), CrochetParams(), Progress())
+    graph, led = made.built.graph, made.yarn
+    ends, stitch = np.asarray(led.paths.offsets), led.point_data["stitch"]
+    sewn = np.repeat(np.asarray(led.source) < 0, np.diff(ends)) & (graph.part[stitch] == 1)
+    off = led.paths.coords - made.positions[stitch]
+    out = (off * vertex_normals(made.positions, graph.faces)[stitch]).sum(1) / graph.stitch_width
+    assert sewn.sum() > 12 and out[sewn].max() < 0.55

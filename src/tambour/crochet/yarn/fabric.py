@@ -36,7 +36,7 @@ OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 FRAYED = 0.92
 """What is left of that at its very end, where its fibres are of all lengths."""
-TAUT = 0.98
+TAUT = 0.86
 """Radius of what is sewn with, as a share of the yarn's: it is pulled tight, and lies on top, where one sees it."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
@@ -168,10 +168,14 @@ def _thick(led: Way, graph: StitchGraph) -> Array:
     over, out = np.zeros(len(graph), np.bool_), np.empty(len(led.cell))
     over[graph.anchors[np.repeat(graph.loop == 0, np.diff(graph.anchor_offsets))]] = True
     root = graph.peculiarity == ROOT
+    stuffed = np.array([part.stuffing > 0.0 for part in graph.parts])
+    behind = np.where(stuffed[graph.part], points.SPREAD, points.BEHIND)
     share(
         len(out),
         BLOCK,
-        lambda a, b: points.thick(led.cell[a:b], led.below[a:b], led.at[a:b], graph.height, over, root, out[a:b]),
+        lambda a, b: points.thick(
+            led.cell[a:b], led.below[a:b], led.at[a:b], graph.height, over, root, behind, out[a:b]
+        ),
     )
     return out
 
@@ -298,7 +302,9 @@ def mesh(
     """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes over a lining."""
     kind = KINDS[material]
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
-    locks = None
+    locks, full = None, SWOLLEN * (1.0 + THIN) if detail in ("near", "photo") and kind.plies else 1.0
+    # Twist and rings are those of the yarn, not of where it is spread thickest.
+    wide = 0.5 * graph.stitch_width * RATIO * BLOOM * kind.full * (1.0 + points.BEHIND) * full
     if detail in ("near", "photo"):
         if kind.plies:
             made, locks = frayed(made, graph)
@@ -313,9 +319,7 @@ def mesh(
         )
     if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
         # As many rings as its plies ask for: with fewer their lobes are cut to facets where the yarn runs straight.
-        coords, ends, of = points.dense(
-            made.paths.coords, np.asarray(made.paths.offsets), RINGED * float(made.radius.max(initial=1.0))
-        )
+        coords, ends, of = points.dense(made.paths.coords, np.asarray(made.paths.offsets), RINGED * wide)
         # Long segments hide how near hairpins come to themselves: what is drawn is looked at once more, without its kinks.
         coords = eased_out(coords, ends, KINKS)
         clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
@@ -327,7 +331,7 @@ def mesh(
     yarn = sweep(
         made,
         sides=sides,
-        lay=LAY,
+        lay=LAY * wide / float(made.radius.max(initial=0.0) or 1.0),
         plies=plies,
         groove=GROOVE,
         wander=WANDER,

@@ -83,9 +83,10 @@ _WRAP = np.array(
     ]
 )  # fmt: skip
 # A stitch of a seam, from the top of the stitch that is sewn on: out of its last round, aslant over its edge, where one sees it, and down
-# into what it is sewn to, close before that edge; inside to the next. Higher over the edge it would stand up as a tooth.
+# into what it is sewn to, close before that edge; inside to the next. Pulled tight it lies amid the
+# edge's own strands; higher over the edge it stood up as a row of loops.
 _SEAM = np.array(
-    [(-0.20, -0.62, -0.15), (-0.16, -0.56, 0.42), (0.04, -0.26, 0.62), (0.26, 0.04, 0.62), (0.38, 0.20, 0.24)]
+    [(-0.14, -0.50, -0.15), (-0.12, -0.44, 0.28), (0.0, -0.24, 0.40), (0.14, -0.04, 0.38), (0.24, 0.10, 0.12)]
 )
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 

@@ -22,6 +22,8 @@ FULLER = 0.2
 """How much thicker the legs of half doubles are in their middle."""
 BEHIND = 0.15
 """How much thicker yarn is behind the work, where nothing draws it tight: it closes what the loops before it leave open."""
+SPREAD = 0.5
+"""The same of yarn that stuffing lies behind: pressed flat against it, it spreads. At .15 every ball and bear had holes of a third of the yarn."""
 HIGHEST = 0.8
 """Up to here, of a stitch's height, legs are brought upright the further the higher; the arch between them stays where it is."""
 
@@ -55,10 +57,11 @@ def erect(cell: I4x1, at: F8x2, height: F8x1, bring: F8x1) -> None:
 
 
 @kernel
-def thick(cell: I4x1, below: I4x1, at: F8x2, height: F8x1, over: B1x1, root: B1x1, out: F8x1) -> None:
+def thick(cell: I4x1, below: I4x1, at: F8x2, height: F8x1, over: B1x1, root: B1x1, behind: F8x1, out: F8x1) -> None:
     """How thick (P,) yarn is along its way: less where a loop comes out of its hole, and where it goes in above; less in the front strands of
     heads that stitches are worked ``over`` (N,), both strands of them; the legs of half doubles, longer and not drawn as tight, more.
-    root : (N,) whether a node is the middle of a ring, which is drawn tight: no yarn presses it thin, or a hole would show."""
+    root : (N,) whether a node is the middle of a ring, which is drawn tight: no yarn presses it thin, or a hole would show;
+    behind : (N,) how much thicker yarn is behind the work."""
     for p in range(len(cell)):
         high, v, w = height[cell[p]], at[p, 1], at[p, 2]
         wide = 1.0
@@ -69,7 +72,7 @@ def thick(cell: I4x1, below: I4x1, at: F8x2, height: F8x1, over: B1x1, root: B1x
         full = 1.0
         if 1.2 < high < TALL:
             full = 1.0 + FULLER * _share((w - 0.1) / 0.2) * math.sqrt(_share(1.0 - abs(v / high - 0.5) / 0.5))
-        full *= 1.0 + BEHIND * _share((-0.02 - w) / 0.16)
+        full *= 1.0 + behind[cell[p]] * _share((-0.02 - w) / 0.16)
         if over[cell[p]]:
             full *= 1.0 - SQUEEZED * (_share((v - high) / 0.08) * _share((w + 0.12) / 0.1))
         out[p] = wide * full
