@@ -130,7 +130,7 @@ FAULTS = [
     Fault("crochet/yarn/course.py", "k = int(after[a])", "k = int(a)", "crochet_fabric"),
     Fault("crochet/yarn/course.py", "slip_of *= np.clip(", "slip_of *= 0 * np.clip(", "crochet_fabric"),
     Fault("crochet/yarn/loops.py", "(0.166, 0.021, 0.063)", "(0.166, 0.091, 0.063)", "crochet_fabric"),
-    Fault("crochet/plush.py", "MIRROR: Final = (-1.0, 1.0, 1.0)", "MIRROR: Final = (-1.0, 1.0, -1.0)", "crochet_specimens"),
+    Fault("crochet/piece.py", "MIRROR: Final = (-1.0, 1.0, 1.0)", "MIRROR: Final = (-1.0, 1.0, -1.0)", "crochet_specimens"),
     Fault("crochet/plush.py", "faces=graph.faces[:, ::-1].copy()", "faces=graph.faces.copy()", "crochet_specimens"),
     Fault("crochet/yarns.py", "IN_A_STITCH: Final = 8.0", "IN_A_STITCH: Final = 9.0", "crochet_size"),
     Fault("crochet/yarns.py", "SQUARE: Final = 3.0 / math.pi", "SQUARE: Final = 1.0", P),

@@ -10,6 +10,7 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import BACK, FRONT
 from tambour.core.progress import Progress
+from tambour.crochet import handed
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
 from tambour.crochet.language.stitches import BUMPS, HEIGHTS
@@ -112,14 +113,16 @@ def test_the_left_hand_makes_the_mirror_image() -> None:
     own = graph.plane[(graph.loop == BACK) & (graph.plane.min(1) >= 0)]
     for here, there in zip(own, right.built.graph.plane[(graph.loop == BACK) & (graph.plane.min(1) >= 0)]):
         assert here.tolist() == there[[0, 2, 1]].tolist()
-    # The yarn follows, but for how far single stitches lie out of line.
-    mine, other = left.yarn.paths.coords, right.yarn.paths.coords * (-1, 1, 1)
-    box = np.ptp(mine, axis=0) - np.ptp(other, axis=0)
-    assert np.abs(box).max() < 0.2 * left.stitch[0]
-    stitch = left.yarn.point_data["stitch"]
-    for k in range(10, len(graph), 7):
-        apart = mine[stitch == k].mean(0) - other[right.yarn.point_data["stitch"] == k].mean(0)
-        assert np.linalg.norm(apart) < 0.2 * left.stitch[0]
+    # The yarn follows, point for point.
+    np.testing.assert_array_equal(left.yarn.paths.coords, right.yarn.paths.coords * (-1, 1, 1))
+    np.testing.assert_array_equal(left.yarn.radius, right.yarn.radius)
+
+
+def test_a_picture_of_the_left_hands_piece_is_the_mirror_image_of_the_right_hands() -> None:
+    """Single stitches lay out of line otherwise, and the window was on the same side of both."""
+    right, left = (make(Text(BALL), CrochetParams(hand=hand, detail="low"), Progress()) for hand in ("right", "left"))
+    np.testing.assert_array_equal(handed.whole(left).rgba, handed.whole(right).rgba[:, ::-1])
+    np.testing.assert_array_equal(handed.left(left).rgba, handed.right(right).rgba[:, ::-1])
 
 
 def test_charts_for_the_left_hand_go_clockwise_and_their_numbers_stay_readable() -> None:

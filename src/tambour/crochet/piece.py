@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 
 if TYPE_CHECKING:
+    from tambour.core.graph import StitchGraph
     from tambour.core.strands import Strands
     from tambour.crochet.finish.joining import Joining
     from tambour.crochet.finish.shape import Shape
     from tambour.crochet.graph.built import Built
     from tambour.crochet.params import CrochetParams
     from tambour.crochet.yarns import Gauge
+
+MIRROR: Final = (-1.0, 1.0, 1.0)
+"""What a left hand makes is the mirror image, left and right changed."""
+
+
+def turned(graph: StitchGraph) -> StitchGraph:
+    """The graph of a piece's mirror image: its outside stays outside. Twice is the graph itself."""
+    return replace(graph, faces=graph.faces[:, ::-1].copy(), plane=graph.plane[:, [0, 2, 1]].copy())
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,13 +76,18 @@ class Plush:
     @cached_property
     def yarn(self) -> Strands:
         """The yarn of every stitch, in mm; led when it is first looked at."""
+        from tambour.core.paths import Paths
         from tambour.crochet.yarn.fabric import strands
         from tambour.crochet.yarn.fibres import KINDS
         from tambour.crochet.yarn.loops import BLOOM
 
         bloom = BLOOM * KINDS[self.params.material].full
-        detail, hold = self.params.detail, self.params.hold
-        return strands(self.built.graph, self.positions, detail=detail, bloom=bloom, hold=hold)
+        detail, hold, graph = self.params.detail, self.params.hold, self.built.graph
+        if self.params.hand == "right":
+            return strands(graph, self.positions, detail=detail, bloom=bloom, hold=hold)
+        # Led as a right hand leads it, and mirrored: so no stitch lies otherwise out of line.
+        led = strands(turned(graph), self.positions * MIRROR, detail=detail, bloom=bloom, hold=hold)
+        return replace(led, paths=Paths(led.paths.coords * MIRROR, led.paths.offsets))
 
     @property
     def upright(self) -> Array | None:
@@ -89,3 +103,20 @@ def not_empty(piece: Plush) -> None:
             hint="begin with a magic ring: a line such as : MR(6)",
             where=piece.built.pattern.text.name,
         )
+
+
+def mirrored(piece: Plush) -> Plush:
+    """What a left hand makes of the same words: the mirror image, left and right changed.
+
+    The yarn follows: it is led along the graph's own ways.
+    """
+    joined, shape = piece.shape.joined, piece.shape
+    if joined is not None:
+        shape = replace(shape, joined=replace(joined, upright=joined.upright * MIRROR))
+    return replace(
+        piece,
+        built=replace(piece.built, graph=turned(piece.built.graph)),
+        shape=shape,
+        positions=piece.positions * MIRROR,
+        centroids=piece.centroids * MIRROR,
+    )

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from tambour.core.errors import Problem, TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.piece import Plush
+from tambour.crochet.piece import Plush, mirrored
 
 if TYPE_CHECKING:
     from tambour.core.drawing import Drawing
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from tambour.crochet.finish.shape import Look
     from tambour.crochet.graph.built import Built
     from tambour.crochet.yarns import Gauge
-
-MIRROR: Final = (-1.0, 1.0, 1.0)
 
 
 def make(source: Text | Drawing | Model | None, params: CrochetParams, progress: Progress) -> Plush:
@@ -254,21 +252,3 @@ def _told_ahead(nodes: int, params: CrochetParams, progress: Progress) -> None:
             f"building {nodes} nodes one by one takes too long: it will be cut short, and the last ones placed at once",
             "{--start} rounds is faster",
         )
-
-
-def mirrored(piece: Plush) -> Plush:
-    """What a left hand makes of the same words: the mirror image, left and right changed.
-
-    The yarn follows: it is led along the graph's own ways.
-    """
-    graph, joined, shape = piece.built.graph, piece.shape.joined, piece.shape
-    turned = replace(graph, faces=graph.faces[:, ::-1].copy(), plane=graph.plane[:, [0, 2, 1]].copy())
-    if joined is not None:
-        shape = replace(shape, joined=replace(joined, upright=joined.upright * MIRROR))
-    return replace(
-        piece,
-        built=replace(piece.built, graph=turned),
-        shape=shape,
-        positions=piece.positions * MIRROR,
-        centroids=piece.centroids * MIRROR,
-    )

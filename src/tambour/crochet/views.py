@@ -20,7 +20,7 @@ VIEWS: dict[str, View] = {
         "fabric",
     ),
     "toy": View(
-        Lazy("tambour.crochet.page.portrait:whole"),
+        Lazy("tambour.crochet.handed:whole"),
         "Picture",
         "the toy put together, in its yarn, as one looks at it; what belongs nowhere on it left out",
         (".png", ".jpg"),
@@ -33,14 +33,14 @@ VIEWS: dict[str, View] = {
         stage="fabric",
     ),
     "photo": View(
-        Lazy("tambour.crochet.page.portrait:photo"),
+        Lazy("tambour.crochet.handed:photo"),
         "Picture",
         "the toy as a camera would take it: soft light, every fibre; slow",
         stage="photo",
     ),
     **{
         side: View(
-            Lazy(f"tambour.crochet.page.portrait:{side}"),
+            Lazy(f"tambour.crochet.handed:{side}"),
             "Picture",
             f"the piece in its yarn, from {side if side == 'below' else f'the {side}'}",
         )
