@@ -1,12 +1,13 @@
 """Placed: whether toys that were put together look like toys, measured on the built piece and not on the words it was told in.
 
-python bench/placed.py FOLDER [--half even|odd|all] [--only WORD] [--every] [--first N --like WORD] [--pictures TO]
+python bench/placed.py FOLDER [--half even|odd|all] [--only WORD] [--every] [--first N --like WORD] [--pictures TO] [--fine]
 
 FOLDER holds JSON files of published patterns, as for printed.py, or texts (.txt, .md). Every toy is settled in coarse yarn
 and asked: does a part touch nothing, is one inside of another, does one hide an eye; would it tip over where it stands, or
 stand on an ear; is its head up; does its face look at who looks at its cover; which parts are left out of its pictures.
 --first takes those N whose name, behind the word of --like, has the smallest SHA-256: a draw that nobody chose. --pictures
-draws their covers. Nothing of the patterns is kept.
+draws their covers; --fine brings each to rest as far as whoever makes it sees it, for pictures that are looked at.
+Nothing of the patterns is kept.
 """
 
 from __future__ import annotations
@@ -174,10 +175,11 @@ def _face(piece: Plush, own: list[int], kinds: dict[int, Made]) -> list[str]:
     return wrong
 
 
-def judged(name: str, words: str, to: Path | None, width: int, number: int) -> Found:
+def judged(name: str, words: str, to: Path | None, width: int, number: int, fine: bool) -> Found:
     """One pattern made, looked at and drawn."""
     try:
-        piece = make(Text(words, f"{name}.txt"), CrochetParams(detail="low", tolerance=ROUGH), Progress())
+        params = CrochetParams(detail="low") if fine else CrochetParams(detail="low", tolerance=ROUGH)
+        piece = make(Text(words, f"{name}.txt"), params, Progress())
         if not len(piece.built.graph):
             return Found(name, why="no stitch")
         found = looked_at(name, piece)
@@ -200,6 +202,7 @@ def main() -> None:
     arguments.add_argument("--like", default="")
     arguments.add_argument("--pictures", type=Path)
     arguments.add_argument("--width", type=int, default=400)
+    arguments.add_argument("--fine", action="store_true", help="at rest as a maker sees it, and not roughly")
     asked = arguments.parse_args()
     if asked.folder is None:
         print("python bench/placed.py FOLDER: give the folder of a published set (see the file's head)")
@@ -213,7 +216,7 @@ def main() -> None:
         asked.pictures.mkdir(parents=True, exist_ok=True)
     rows = []
     for k, (name, words) in enumerate(chosen):
-        row = judged(name, words, asked.pictures, asked.width, k + 1)
+        row = judged(name, words, asked.pictures, asked.width, k + 1, asked.fine)
         rows.append(row)
         if asked.every or row.wrong or not row.made:
             said = "; ".join(row.wrong) or row.why or "sound"

@@ -14,6 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import gaze, sewing
+from tambour.crochet.finish.arched import arched
 from tambour.crochet.finish.capped import across, drawn_over, lid_on, rim_on
 from tambour.crochet.finish.globe import motifs, rolled
 from tambour.crochet.finish.hanging import hung, laid_on
@@ -307,6 +308,19 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
             continue
         frame = frame_of(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
+        if f.to is not None:
+            target = bodies[body[other]]
+            both = (frame, frames(spots, x, [f.to], upright))
+            x[own], pairs, other_end = arched(x, own, how, end, both, target)
+            seams.append(pairs)
+            # Of a thread that went from end to end one would see the way between: the other end is held without it.
+            stays.append(other_end)
+            rest.append(np.full(len(other_end), SEWN_SHORT))
+            held.append((int(own[0]), int(target[0])))
+            group[body[other]].extend(group[body[part]])
+            for b in group[body[other]]:
+                group[b] = group[body[other]]
+            continue
         if other in nodded and f.spot.stitch is None and BODY.search(f.part.lower()):
             f = gaze.leant(
                 f, frame, turned(frame.normals[0], nodded[other].T)

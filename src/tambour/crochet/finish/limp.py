@@ -1,4 +1,4 @@
-"""Limp: thin limbs that bear nothing, laid where they fall: arms of an octopus about it, dangling legs before the toy, a long tail behind it."""
+"""Limp: limbs that bear nothing, laid where they fall: arms of an octopus about it, legs of a toy that sits or dangles them before it, a long tail behind it."""
 
 from __future__ import annotations
 
@@ -38,18 +38,35 @@ TRAILS = 14.0
 """A thin tail longer than this, in stitches, does not hold itself up."""
 SIDEWAYS = 1.0
 """How much such a tail lies aside for as much as it lies behind: straight behind nobody sees it from before."""
+SHOULDERS = 0.3
+"""Stout arms hang from higher than this share of the height of what they hang on."""
+SLENDER, REACHES = 8.0, 30.0
+"""A stuffed tail so many times as long as wide, and longer than this in stitches, does not either."""
+AHEAD = 0.6
+"""Legs that point ahead by so much, as a cosine, are those of a toy that sits."""
+RISES = 0.5
+"""By so much, as a sine, such a leg rises at the most, where it is too thick to lie beside the seat."""
+UNDER = 0.5
+"""A leg is under a body that hangs no higher over what that lies on than this share of how thick it is."""
+STUB = 2.0
+"""A stub that is no longer than so many times as thick as it is stays as it is sewn."""
+_STEPS = 76
+"""Ways in which it is tried how low a stout limb lies."""
 FEW = 3
 """So many strands are a fringe or a curl: those are not lain about."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Limb:
-    """Its nodes (K,) with all that is sewn to them, where it hangs (3,), and whether it is a leg, or a tail."""
+    """Its nodes (K,) with all that is sewn to them, where it hangs (3,), and whether it is a leg, a tail, or what a toy has before it
+    as it sits; ``falls`` : it keeps its way aside, and lies as low as its fabric lets it."""
 
     nodes: Array
     root: Array
     leg: bool
     tail: bool = False
+    sits: bool = False
+    falls: bool = False
 
 
 def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]:
@@ -61,19 +78,26 @@ def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]
     on: dict[int, int] = {joining.spots.parts[f.part]: joining.spots.parts[f.spot.part] for f, _ in joining.steps}
     thin: list[Limb] = []
     alike: list[Limb] = []
+    sitting: list[Limb] = []
     for (f, end), _ in zip(joining.steps, () if joined is None else joined.seams):
         part = joining.spots.parts[f.part]
         arm, leg = ARMS.search(f.part.lower()), LEGS.search(f.part.lower())
         both = _BOTH.search(f.part.lower())
         tail = _TAIL.search(f.part.lower())
-        if not (arm or leg or both or tail) or not own[graph.parts[part].start]:
+        way = (0.0, 0.0, 0.0) if f.points is None else f.points
+        sits = way[1] <= 0.0 and way[2] > AHEAD * math.hypot(*way) and not LEGS.search(f.spot.part.lower())
+        if not (arm or leg or both or tail or sits) or not own[graph.parts[part].start]:
             continue
         bear = {part}
         while more := {p for p, host in on.items() if host in bear} - bear:
             bear |= more
         limb = Limb(np.flatnonzero(np.isin(graph.part, list(bear))), x[end.nodes].mean(0), leg is not None)
+        if sits:
+            sitting.append(replace(limb, sits=True, falls=True))
         if not (arm or leg or both):
-            found += [replace(limb, tail=True)] if _thin(x[graph.part == part], TRAILS) else []
+            at = x[graph.part == part]
+            trails = tail and (_thin(at, TRAILS) or _slender(at))
+            found += [replace(limb, tail=True)] if trails else []
             continue
         (found if arm else alike if both else thin).append(limb)
     legs = sorted((limb for limb in alike if limb.leg), key=lambda limb: float(limb.root[1]))[:PAIR]
@@ -81,17 +105,22 @@ def limbs(task: Task, x: Array, joined: Joined | None, own: Array) -> list[Limb]
     hands = [limb for limb in alike if limb not in legs]
     if 0 < len(thin) <= PAIR and all(_thin(x[n.nodes[graph.part[n.nodes] == graph.part[n.nodes[0]]]]) for n in thin):
         found += thin
+    elif len(sitting) == PAIR:
+        found += sitting
     if hands:
         firm = own.copy()
         for limb in [*found, *hands]:
             firm[limb.nodes] = False
-        floor = float(x[firm, 1].min()) if firm.any() else -math.inf
-        # Arms longer than the toy is high bear nothing: they lie about it.
+        # Arms that hang lower than what the toy stands on bear nothing: they lie about it.
+        low, high = (float(f(x[firm, 1])) for f in (np.min, np.max)) if firm.any() else (-math.inf, math.inf)
         found += [
-            replace(limb, leg=False)
+            replace(limb, leg=False, falls=not slack)
             for limb in hands
-            if float(x[limb.nodes, 1].min()) < floor
-            and _thin(x[limb.nodes[graph.part[limb.nodes] == graph.part[limb.nodes[0]]]])
+            if float(x[limb.nodes, 1].min()) < low
+            and (
+                (slack := _thin(x[graph.part == graph.part[limb.nodes[0]]]))
+                or limb.root[1] > low + SHOULDERS * (high - low)
+            )
         ]
     strands = [(nodes, base) for nodes, base in strings(graph) if own[base]]
     if len(strands) > FEW:
@@ -120,8 +149,15 @@ def _thin(x: Array, long: float = LONG) -> bool:
     return bool(size[2] < THIN / math.sqrt(2.0) and math.sqrt(12.0) * size[0] > long)
 
 
-def lain(x: Array, own: Array, found: list[Limb]) -> Array:
-    """``x`` (N, 3) with every limp limb of a toy turned about where it hangs until it lies on what the toy stands on."""
+def _slender(x: Array) -> bool:
+    size = axes(x)[0] / math.sqrt(len(x))
+    long, wide = math.sqrt(12.0) * float(size[0]), math.sqrt(8.0) * float(size[1])
+    return long > max(REACHES, SLENDER * wide)
+
+
+def lain(x: Array, own: Array, found: list[Limb], moved: list[Limb] | None = None) -> Array:
+    """``x`` (N, 3) with every limp limb of a toy, or with those ``moved`` alone, turned about where it hangs until it lies on what
+    the toy stands on without them."""
     x = x.copy()
     limp = np.zeros(len(x), bool)
     if not found:
@@ -130,26 +166,46 @@ def lain(x: Array, own: Array, found: list[Limb]) -> Array:
         limp[limb.nodes] = True
     firm = x[own & ~limp]
     floor, middle = float(firm[:, 1].min()), firm.mean(0)
-    for limb in found:
+    for limb in found if moved is None else moved:
         off = x[limb.nodes] - limb.root
         way = off.mean(0)
         size = max(float(np.sqrt((way**2).sum())), 1e-9)
         way = way / size
         far = float((off @ way).max())
         thick = float(np.sqrt(np.maximum((off**2).sum(1) - (off @ way) ** 2, 0.0).mean()))
-        out = (limb.root - middle) * (1.0, 0.0, 1.0)
-        if limb.leg:
+        out = (way if limb.sits else limb.root - middle) * (1.0, 0.0, 1.0)
+        if limb.leg and not limb.sits:
             out = out / max(float(np.sqrt((out**2).sum())), 1e-9) * (1.0, 0.0, 0.0) + np.array([0.0, 0.0, 1.0 + ONWARD])
         if limb.tail:
             out = out / max(float(np.sqrt((out**2).sum())), 1e-9) + np.array([SIDEWAYS, 0.0, 0.0])
         level = float(np.sqrt((out**2).sum()))
         if level < 1e-6 or far < 1e-6:
             continue
+        if limb.falls:
+            up = float(limb.root[1]) - floor
+            if not limb.sits or (up > UNDER * thick and far > STUB * thick):  # what is sewn under the body bears it
+                foot = off[off @ way > 0.5 * far]
+                x[limb.nodes] = turned(off, _fallen(foot, way, out / level, -up)) + limb.root
+            continue
         drop = min(1.0, max(0.0, (float(limb.root[1]) - floor - thick) / far))
-        to = out / level * math.sqrt(1.0 - drop * drop) + np.array([0.0, -drop, 0.0])
-        x[limb.nodes] = turned(off, _onto(way, to)) + limb.root
+        x[limb.nodes] = turned(off, _onto(way, _dropped(out / level, drop))) + limb.root
         x[limb.nodes, 1] = np.maximum(x[limb.nodes, 1], floor)
     return x
+
+
+def _dropped(out: Array, drop: float) -> Array:
+    """The way (3,) that goes level along ``out`` and down by ``drop``, as a sine."""
+    return np.asarray(out * math.sqrt(1.0 - drop * drop) + np.array([0.0, -drop, 0.0]))
+
+
+def _fallen(off: Array, way: Array, out: Array, floor: float) -> Array:
+    """The rotation (3, 3) of a stout limb about where it hangs: down along ``out`` until its far half ``off`` (K, 3) lies on ``floor``."""
+    turn = np.eye(3)
+    for drop in np.linspace(1.0, -RISES, _STEPS):
+        turn = _onto(way, _dropped(out, float(drop)))
+        if float(turned(off, turn)[:, 1].min()) >= floor:
+            break
+    return turn
 
 
 def _onto(a: Array, b: Array) -> Array:

@@ -72,8 +72,13 @@ def at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tup
             x[worn] = turned(x[worn] - about, turn) + about + up
             for p in parts:
                 c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - about, turn) + about + up
-        off = x[firm] - middle
         level = on_fours(task, x, joined, own)
+        if level is None and (sits := [limb for limb in limp if limb.sits]):
+            # Who sits leans on the legs: they are laid before it is asked whether the toy tips over.
+            x = lain(x, own, limp, sits)
+            for limb in sits:
+                firm[limb.nodes] = True
+        off = x[firm] - middle
         if pitch := righted(off, looks[piece[on] == k]) if level is None else level:
             way = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])
             x[own] = turned(x[own] - middle, way) + middle

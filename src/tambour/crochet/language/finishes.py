@@ -39,6 +39,7 @@ class Placed:
     through : it is not sewn, but held to the work while that round is worked, and so many stitches of it go through both; with no
         stitch in its spot, it is worked on all of that round's stitches itself, as a skirt is, and hangs
     points : where it points on the toy as it stands (x to its left, y up, z ahead), whatever way the settled fabric looks; None: as tilt says
+    to : where its other end is sewn, on the same part: it arches from the one to the other, as a handle does; None: that end is free
     """
 
     part: str
@@ -51,6 +52,7 @@ class Placed:
     through: int = 0
     span: Span = field(default=Span(0, 0), compare=False)
     points: tuple[float, float, float] | None = field(default=None, compare=False)
+    to: Spot | None = field(default=None, compare=False)
 
     @property
     def around(self) -> bool:

@@ -101,6 +101,8 @@ class Assembly(Hosts):
         self.around = [r for r in inside if r.around and own & {r.part, r.part.rpartition(".")[0]}]
         gone = {name for r in self.around for name in (r.part, r.part.rpartition(".")[0])}
         self.parts = [p for p in self.parts if p.name not in gone]
+        trunk = any({"head", "body", "leg"} & {*p.kinds} for p in self.parts)
+        self.parts = [replace(p, alone=p.vessel and not trunk) for p in self.parts]
         half = {k for pair in halves(built) for k in pair}
         both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
         bodied = any(p.kind == "body" and (p.single or p.name in both) for p in self.parts)

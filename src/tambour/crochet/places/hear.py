@@ -32,7 +32,7 @@ from tambour.crochet.places.assembling import (
 from tambour.crochet.places.groups import ALIKE, BEFORE, BY_IT, HANDLED, again, apart, below_eyes, grouped
 from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
-from tambour.crochet.places.names import Made, Mention, kind_of, mentions, one
+from tambour.crochet.places.names import Made, Mention, its_own, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, Where, clauses, where
 from tambour.crochet.words.numbers import QUANTITY, quantity
 
@@ -387,6 +387,7 @@ class Heard:
             return bool(objects or sentence.part)
         if not objects:
             return False
+        objects = [its_own(m, sentence.part) for m in objects]
         copies = list(dict.fromkeys(c for m in objects for c in self._counted(m, low)))
         host = next((_each(m, copies) for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
         if host is None and re.search(r"\btog(?:ether)?\b", low) and len({p.name for p, _ in copies}) == 2:

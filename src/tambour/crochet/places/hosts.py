@@ -139,7 +139,8 @@ class Hosts(Likely):
         """The part by which another is called, that is neither worn nor a head or a body: "wheel flower", "cup handle"."""
         before = set(made.words[:-1])
         found = [m for m in self.parts if m != made and m.words and m.words[-1] in before and not m.worn]
-        return next((m for m in found if m.kind not in ("head", "body") and m.words != made.words), None)
+        found = [m for m in found if m.kind not in ("head", "body") and m.words != made.words]
+        return max(found, key=lambda m: len(before & set(m.words)), default=None)  # of two cups the one of its own name
 
     def _off_what_hides(self, p: Put) -> None:
         """Limbs off patches, a beard off the beak or the hat that it would hide: each on what these lie on."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Final
 
@@ -109,13 +109,14 @@ _EACH: Final = frozenset(("each", "either", "every", "both"))
 class Made:
     """A part that is there to be sewn: its name, its copies, and what it is by its shape where its name does not say it, or says it wrongly.
 
-    halved : its two copies are the halves of one thing
+    halved : its two copies are the halves of one thing; alone : it stands by itself, as no body is there that could wear it
     """
 
     name: str
     copies: int
     likely: str = ""
     halved: bool = False
+    alone: bool = False
 
     @property
     def single(self) -> bool:
@@ -169,7 +170,8 @@ class Made:
     def worn(self) -> bool:
         """Whether it is put on a toy, and not sewn to make it."""
         cuffed = self.words[-1:] == ["cuff"] and len(self.words) > 1 and not self.kinds  # of breeches, not of a cone
-        return self.likely == "worn" or ((cuffed or "worn" in self.kinds) and not self.likely and self.kind != "bow")
+        worn = (cuffed or "worn" in self.kinds) and not self.likely and self.kind != "bow"
+        return self.likely == "worn" or (worn and not self.alone)
 
     @property
     def vessel(self) -> bool:
@@ -266,6 +268,14 @@ def mentions(text: str, parts: list[Made]) -> list[Mention]:
         at += n
     meant = {c for m in found if _named(m) for c in m.copies}
     return [m for m in found if _named(m) or not meant & set(m.copies)]
+
+
+def its_own(mention: Mention, part: str) -> Mention:
+    """What is meant where ``part`` is worked: "the handle" is that one, and not that of another cup."""
+    if mention.plural or any(p.kind != "handle" for p, _ in mention.copies):
+        return mention
+    own = tuple(c for c in mention.copies if c[0].name == part)
+    return replace(mention, copies=own) if own else mention
 
 
 def _named(m: Mention) -> bool:

@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import ABOVE, SIDE
+from tambour.crochet.places.ends import two_ends
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import BESIDE, LAID
 from tambour.crochet.places.masks import eye_on, is_mask
@@ -114,6 +115,8 @@ class Putter(Pairer):
             put = replace(put, where=replace(put.where, words=put.where.words - {"back", "middle"} | {"top"}))
         long, headed = self._long(put.copies[0]), self._headed(put)
         ways = usual(kind, len(put.copies), lying=lies, long=long, words=wanted, headed=headed)
+        if "spout" in made.words:  # across from the handle
+            ways = [replace(way.mirrored(), axis=(-1.0, 0.6, 0.0)) for way in ways]
         behind = "back" in put.where.words and "sides" not in put.where.words and "rear" not in made.words
         if kind == "wing" and len(ways) == 2 and behind:
             ways = [replace(way, at=(0.45 * math.copysign(1.0, way.at[0]), *way.at[1:])) for way in ways]
@@ -192,6 +195,8 @@ class Putter(Pairer):
             )
         ):
             records = [self._right_side_ahead(c, r) for c, r in zip(put.copies, records)]
+        said = work.text[put.span.start : put.span.end]
+        records = two_ends(put, host, records, self._length(put.copies[0]), said)
         self.room.take(seams)
         if kind in _BELOW_EYES or kind == "eye":
             self.deep[kind] = self._bulge(put.copies[0])
@@ -262,6 +267,12 @@ class Putter(Pairer):
         h = self.work.host((copy[0], 1))
         widest = max((len(p) for _, p in h.levels), default=1)
         return len(h.levels) > 0.62 * widest
+
+    def _length(self, copy: Copy) -> float:
+        """How long a part in rows is, along its rows or across them, in stitches; 0 of what is worked in rounds."""
+        part = self.work.spots.parts[copy[0].copy(copy[1])]
+        at = self.work.spots.layout[self.stand.nodes(part)]
+        return float(np.ptp(at, axis=0).max()) if self.work.spots.in_rows[part] else 0.0
 
     def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
         """Where one copy goes."""
