@@ -77,7 +77,7 @@ _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|level with|in line with|"
     r"on (?:either|both|each) sides? of(?! (?:the |its )?(?:tip|end)\b)|as|from|towards?|between (?:the |each |both )?\w+ and)\s+"
-    r"(?:the\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+|end\s+|edge\s+|tip\s+|of\s+|white\s+|cream\s+|black\s+|pink\s+|red\s+|light\s+|dark\s+)*$"
+    r"(?:the\s+|an?\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+|end\s+|edge\s+|tip\s+|of\s+|white\s+|cream\s+|black\s+|pink\s+|red\s+|light\s+|dark\s+)*$"
 )
 """Words before a part that something is only near."""
 _BEHIND: Final = re.compile(r"\b(?:behind|below|beneath|under|underneath)\s+(?:the|his|her|its)\s+$")
@@ -387,8 +387,7 @@ class Heard:
             return bool(objects or sentence.part)
         if not objects:
             return False
-        objects = [its_own(m, sentence.part) for m in objects]
-        copies = list(dict.fromkeys(c for m in objects for c in self._counted(m, low)))
+        copies = list(dict.fromkeys(c for m in objects for c in self._counted(its_own(m, sentence.part), low)))
         host = next((_each(m, copies) for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
         if host is None and re.search(r"\btog(?:ether)?\b", low) and len({p.name for p, _ in copies}) == 2:
             host = copies.pop()
