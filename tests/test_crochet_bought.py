@@ -8,12 +8,18 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
+from tambour.crochet.graph.build import build
 from tambour.crochet.maker import sure
 from tambour.crochet.page.among import with_hers
 from tambour.crochet.page.assembly import _sentences
 from tambour.crochet.page.book import Book
+from tambour.crochet.page.care import care
+from tambour.crochet.page.chart import charts as laid_out
+from tambour.crochet.page.charted import helps, shows
 from tambour.crochet.page.cleaned import cleaned, heads, titled
+from tambour.crochet.page.diagram import plates
 from tambour.crochet.page.instructions import plain
+from tambour.crochet.page.parts import _explained
 from tambour.crochet.page.pictures import steps
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
@@ -149,13 +155,102 @@ def test_what_she_counts_is_held_against_what_we_count(words: str, gap: float, f
 def test_eyes_that_she_counts_in_the_next_sentence_are_not_counted_otherwise() -> None:
     body = [str(row) for row in with_hers(book(), book().said.blocks[0])]
     after = body[next(k for k, row in enumerate(body) if row.startswith("Eyes:")) + 1]
-    assert after.startswith("› Elsewhere in the pictures than the sentence says: each 2 stitches") or "Each 4" in after
+    assert after in (
+        "› Elsewhere in the pictures than the sentence says.",
+        "Count 4 stitches to each side of the middle of the back.",
+    )
 
 
 def test_a_yarn_is_changed_to_once() -> None:
     text = "PAW\nStart with cream.\nRnd 1: 6 sc in magic ring (6)\nRnd 2: 6 sc (6) Change to ginger.\nRnd 3: sc in each st around (6)\nFasten off.\n"
     rows = [str(row) for row in with_hers(book(text), book(text).said.blocks[0])]
     assert sum("hange to ginger" in row for row in rows) == 1, rows
+
+
+HUT = """Hut
+by Anna Weir
+
+MATERIALS
+- DK cotton in cream, red and grey
+- Hook: 3 mm
+- Stuffing, 40 g
+
+WALLS (cream)
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (sc, dec) x 2, 6 sc, (sc, dec) x 2 (14)
+Rnds 5-8: sc around (14)
+Stuff. Fasten off.
+
+CHIMNEY (grey, in rounds)
+Rnd 1: 6 sc in magic ring (6)
+Rnd 2: sc around (6)
+Rnds 3-9: sc around (6)
+Rnd 10: sc, hdc, sc, hdc, sc, hdc (6)
+NO filler.
+Fasten off.
+
+BUILDING YOUR HUT
+Start with the chimney, while you see it well. Sew it wherever you like, smoke upwards.
+
+LAST TOUCHES
+Hand wash it in cold water. *1 sc in next, ch 3* 12 times is the grass.
+"""
+
+
+def test_hers_of_care_and_stuffing_are_not_said_again_by_us() -> None:
+    of = book(HUT)
+    assert care(of) == [of.own["care parts"]]
+    assert "cool water" in care(book(FISH))[0]
+    chimney = [str(row) for row in _explained(of, of.said.blocks[1], with_hers(of, of.said.blocks[1]))]
+    assert "NO filler." in chimney and not any("Stuffed" in row for row in chimney)
+
+
+def test_a_heading_of_her_own_begins_the_assembly() -> None:
+    of = book(HUT)
+    assert of.hers is not None and of.piece.built.pattern.text.text[of.hers.assembly :].startswith("BUILDING")
+    assert of.hers.closing[-1].endswith("*1 sc in next, ch 3* 12 times is the grass.")
+    found = steps(of.piece)
+    said = " ".join(words for one in _sentences(of, found) for words in one)
+    assert "Start with the chimney" in said and "does not say where" not in said
+
+
+def test_brackets_that_come_twice_are_hers_too() -> None:
+    walls = [str(row) for row in with_hers(book(HUT), book(HUT).said.blocks[0])]
+    assert "Rnd 4: (sc, dec) x 2, 6 sc, (sc, dec) x 2 (14)" in walls  # it was "[sc, dec] x 2, 7 sc, dec, sc, dec"
+
+
+def test_a_chart_is_drawn_where_it_can_be_read() -> None:
+    built = book(HUT).piece.built
+    chimney = next(n for n, one in enumerate(laid_out(built)) if one.part == 1)
+    drawing, chart = plates(built)[chimney][2], laid_out(built)[chimney]
+    assert 1 in helps(built) and not shows(chart, drawing, 170.0, 240.0)  # a tube of ten rounds as a disc
+    oval = build(
+        read(
+            Text(
+                "PATCH\nCh 6.\nRnd 1: sc in 2nd ch from hook, sc in next 3 ch, 3 sc in last ch, sc in next 3 ch, 2 sc in last ch (12)\nRnd 2: inc, 3 sc, 3 inc, 3 sc, 2 inc (18)\n",
+                "p.txt",
+            )
+        )
+    )
+    assert shows(laid_out(oval)[0], plates(oval)[0][2], 170.0, 240.0)
+    assert not shows(laid_out(oval)[0], plates(oval)[0][2], 25.0, 25.0)  # too small to read
+
+
+def test_what_is_made_of_so_many_stitches_has_no_size_of_ours() -> None:
+    assert sure.of_stitches("3 short pink stitches right below each eye") and not sure.of_stitches(
+        "a smile, 6 stitches wide"
+    )
+
+
+def test_rounds_that_go_on_below_another_part_stand_there_once() -> None:
+    text = HUT.replace(
+        "CHIMNEY (grey", "WALLS, part two (still cream)\nTake your loop back.\nRnd 9: sc around (14)\n\nCHIMNEY (grey"
+    )
+    of = book(text)
+    rows = [str(row) for block in of.said.blocks for row in with_hers(of, block)]
+    assert sum("Rnd 9" in row for row in rows) == 1, rows
 
 
 def test_messages_point_at_what_they_are_about_and_their_hints_fit() -> None:

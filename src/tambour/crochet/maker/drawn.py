@@ -13,7 +13,7 @@ from tambour.crochet.finish.features import placed
 from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT, extent
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import Embroidery
-from tambour.crochet.maker.sure import hers_too, of_two
+from tambour.crochet.maker.sure import hers_too, of_stitches, of_two
 
 if TYPE_CHECKING:
     from tambour.crochet.maker.taken import Taken
@@ -50,6 +50,8 @@ _FACES: Final = (
 def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
     """The pieces of the sentence of what is embroidered of one kind on one part."""
     own, first = taken.own, alike[0]
+    if of_stitches(taken.words(first).lower()):
+        return []  # she says how it is made
     part = taken.spots.parts[first.spots[0].part]
     rows = bool(taken.spots.in_rows[part])
     known = [(r, s) for r in alike for s in r.spots]

@@ -18,7 +18,9 @@ _HEADS: Final = re.compile(
 )
 """How a round is headed: "Rnd 3", "3rd rnd", "3rd to 8th rnds"."""
 _NAUGHT: Final = re.compile(r"(?<!\d)(?<!\d[.,])0(?![\d½]|[.,]\d)")
-_TOGETHER: Final = re.compile(r"\btog(?:ether)?\b|\bseparately\b")
+_TOGETHER: Final = re.compile(
+    r"\btog(?:ether)?\b|\bseparately\b|\bedge to edge\b|\b(?:to|against) the (?:flat|open|closed) (?:edge|end)\b"
+)
 _SIDES: Final = {
     "front": re.compile(r"\bfront\b(?! (?:loop|post|and back loop))"),
     "back": re.compile(r"\bback\b(?! (?:loop|post|and forth|stitch|in\b))"),
@@ -46,6 +48,9 @@ _BESIDE: Final = re.compile(
     r"\b(?:just|right|directly|\w+ (?:sts?|stitch(?:es)?|loops?|rounds?|rnds?|rows?)) (?:above|below|beside|behind|under|over|from|off)\b(?! (?:the )?(?:middle|center|centre|front|back|top))"
     r"|\b(?:above|below|beside|along|next to|touching) the (?:[a-z]+ ){0,2}(?:edge|frame|border|belly|patch|bib|seam|stripe)\b"
 )
+_STROKES: Final = re.compile(
+    r"\b(?:\d+|one|two|three|four|five|a) (?:[a-z]+ ){0,3}?(?:short|long|straight|small|little|tiny)(?: [a-z]+){0,2} (?:stitch(?:es)?|sts?|lines?|strokes?)\b"
+)
 _MISSED: Final = 0.5
 _END: Final = re.compile(r"[.;!?](?=\s)|\n|$")
 _TWO: Final = re.compile(r"\b(?:2|two|both|either side|each side)\b")
@@ -61,6 +66,11 @@ def paragraph(text: str, start: int, end: int, more: int = 0) -> str:
     line = text[start : stop if stop >= 0 else len(text)].lower()
     ends = [m.end() for m in re.finditer(r"[.!?](?=\s|$)", line) if m.end() >= end - start]
     return line[: ends[more]] if len(ends) > more else line
+
+
+def of_stitches(words: str) -> bool:
+    """Whether she counts the stitches that something is embroidered of: "3 short pink stitches"."""
+    return _STROKES.search(words) is not None
 
 
 def counted(words: str) -> list[int]:

@@ -63,7 +63,7 @@ class Taken:
             alike = [r for r in placed if self._base(r) == base]
             said = self._said(self._part(alike)) if self._sure(alike) else []
             if said and self._against(alike):
-                said = [self.own["took elsewhere"].format(what=f"{said[0][:1].lower()}{said[0][1:]}")]
+                said = [self.own["took elsewhere"]]
             made |= dict.fromkeys(said)
         drawn = [r for r in records if isinstance(r, Embroidery)]
         for motif in dict.fromkeys((r.motif, r.spots[0].part) for r in drawn):
@@ -104,7 +104,7 @@ class Taken:
         gap = 2.0 * float(np.mean([abs(self.off(e.spot)[0]) for e in eyes]))
         on = abs((eyes[0].spot.stitch or 0.0) % 1.0 - 0.5) >= 0.26  # on a stitch each, which is none between them
         if (far := sure.miscounts(words, (gap, gap - 1.0) if on else (gap,), count)) > _EXACT:
-            return self._said([self.own["took elsewhere"].format(what=each)])[0] if far > _COUNTS else ""
+            return self.own["took elsewhere"] if far > _COUNTS else ""
         counted = "" if _NUMBERED.search(words) else self._counted([e.spot for e in eyes])
         return "".join(words for words in self._said([each, counted]) if sure.whole(words))
 
@@ -303,6 +303,12 @@ class Taken:
     def _laid(self, record: Placed, part: int) -> list[str]:
         """How far a flat piece reaches: of one in rows from its first to its last, of a disc its middle."""
         level, hers = record.spot.round, self.rounds(record)
+        text = self.built.pattern.text.text
+        near = rounds_named(sure.paragraph(text, record.span.start, record.span.end, 2), self.built.pattern.terms)
+        if near and not hers:
+            return (
+                [self._row_one(part)] if self.spots.in_rows[part] else []
+            )  # the next sentence says which rounds it reaches
         if self.spots.in_rows[part]:
             rows = sum(r.part == part and r.number > 0 and not r.aside for r in self.built.rounds)
             low = round(level - 0.5 * rows)

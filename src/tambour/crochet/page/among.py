@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -49,6 +50,8 @@ _COPIES: Final = frozenset(
         "times",
         "pieces",
         "piece",
+        "pcs",
+        "pc",
         "the",
         "and",
         "a",
@@ -116,8 +119,13 @@ def with_hers(book: Book, block: PartText, steps: bool = False) -> list[Row]:
         for row, _ in placed
         if row.ours and row.colors
     ]
-    if any(heard.yarn.search(row.words) for row, _ in placed[: first + 1] if row.hers) or any(
-        hue and hue <= named for hue in hued
+    lead = " ".join(row.words.lower() for row, _ in placed[: first + 1] if row.hers)
+    hues = {word for words in book.said.terms.colors.values() for word in words} | {*book.said.hues}
+    dyed = any(re.search(rf"(?<!\w){re.escape(word.lower())}(?!\w)", lead) for word in hues)
+    if (
+        dyed
+        or any(heard.yarn.search(row.words) for row, _ in placed[: first + 1] if row.hers)
+        or any(hue and hue <= named for hue in hued)
     ):
         placed = [one for k, one in enumerate(placed) if k >= first or not (one[0].ours and one[0].colors)]
     placed = [one for k, one in enumerate(placed) if not _done_there(placed, k, heard.done)]
@@ -200,6 +208,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
     of: dict[int, list[Row]] = {}
     for row in block.lines:
         of.setdefault(_at(book, row.span), []).append(row)
+    rowed = {k for one in book.said.parts for row in one.lines if _owns(book, one, k := _at(book, row.span))}
     for row in block.lines:
         k = _at(book, row.span)
         if k < 0:
@@ -213,6 +222,10 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
         stretch = book.hers.worked[k]
         place = stretch.span.start if book.hers.part_at(stretch.span.start) == block.section else -1
         mine = of[k]
+        if k not in rowed and stretch.plain and book.hers.part_at(stretch.span.start) in blocks:
+            continue  # stands where she has it, below another part: "WALLS, part two"
+        if _after_all(book, stretch):
+            continue
         if stretch.plain and any(one.label for one in mine) and not (place >= 0 and _grouped(stretch.words, mine)):
             alone = row.span is not None and _HEAD_ALONE.fullmatch(text[row.span.start : row.span.end])
             behind = row.span is not None and row.span.start >= stretch.span.end  # a sentence of hers says it
@@ -227,11 +240,15 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
         elif k not in told:
             told.add(k)
             rows += [(one, place) for one in _in_her_words(book, stretch, mine)]
-    rowed = {k for one in book.said.parts for row in one.lines if _owns(book, one, k := _at(book, row.span))}
     printed = {_same(book.hers.worked[k]) for k in rowed if k >= 0}
     for k, stretch in enumerate(book.hers.worked):
         at = stretch.span.start
-        if k in rowed or book.hers.part_at(at) != block.section or not _within(block, at):
+        if k in rowed or book.hers.part_at(at) != block.section or not _within(block, at) or _after_all(book, stretch):
+            continue
+        theirs = [row for one in book.said.parts for row in one.lines if row.label and _at(book, row.span) == k]
+        if stretch.plain and theirs:
+            for row in theirs:
+                _insert(rows, row, at)
             continue
         if (same := _same(stretch)) not in printed:  # the second leg is written as the first
             _insert(rows, Row("", cleaned(stretch.words, text), span=stretch.span, hers=True), at)
@@ -244,11 +261,11 @@ def _grouped(words: str, rows: list[Row]) -> bool:
     dec) x 4" is "16 sc, [dec, 4 sc] x 3, dec"."""
     ours = " ".join(row.words.lower() for row in rows)
     known = {*_WORD.findall(ours)}
+    groups = Counter[str]()
     for m in _GROUP.finditer(words.lower()):
         said = ", ".join(_FIRST.sub(r"\2 \1", piece.strip()).removeprefix("1 ") for piece in m[1].split(","))
-        if {*_WORD.findall(said)} <= known and f"[{said}] x {m[2]}" not in ours:
-            return True
-    return False
+        groups[f"[{said}] x {m[2]}"] += {*_WORD.findall(said)} <= known
+    return any(ours.count(group) < many for group, many in groups.items())
 
 
 def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
@@ -298,6 +315,12 @@ def _at(book: Book, span: Span | None) -> int:
 def _owns(book: Book, block: PartText, k: int) -> bool:
     assert book.hers is not None
     return k >= 0 and book.hers.part_at(book.hers.worked[k].span.start) == block.section
+
+
+def _after_all(book: Book, stretch: Stretch) -> bool:
+    """Whether something that is no round stands behind the parts, among her sentences of the assembly."""
+    assert book.hers is not None
+    return stretch.span.start >= book.hers.assembly and not any(line.in_round for line in stretch.lines)
 
 
 def _same(stretch: Stretch) -> str:

@@ -52,6 +52,11 @@ _COUNTED: Final = re.compile(
     r"\b(?:pairs?|one|two|three|four|six|[1-9]\d?(?!\s*-?\s*mm))\b(?!\s*-?\s*mm)[^.;\n]{0,25}\beyes?\b"
 )
 """How a list of materials says how many eyes are needed."""
+_FILLED: Final = re.compile(
+    r"\b(?:stuffing|fill(?:er|ing)|fib(?:er|re)fill|polyfill|holofib(?:er|re))\b[^.;\n]{0,30}\d+\s*(?:g|gr|oz)\b|\d+\s*(?:g|gr|oz)\b[^.;\n]{0,20}\b(?:stuffing|fill(?:er|ing)|fib(?:er|re)fill)\b",
+    re.IGNORECASE,
+)
+"""How much she says is stuffed."""
 _HOWS: Final = ("french knot", "satin stitch", "backstitch", "whipstitch")
 _JOINS: Final = re.compile(
     r"(?<!not )(?<!n't )(?<!n’t )\bjoin\b(?=\s*(?:[.,;)(]|$)|\s+with (?:a )?(?:sl|slip) )", re.IGNORECASE
@@ -377,7 +382,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
         words = own["hair"].format(n=hair["strands"], cm=number(hair["cut_mm"] / 10, 0))
         other.append((book.said.color(unhexed(hair["color"]))[1], words))
     filling = found["stuffing"]
-    if filling["grams"] > 0.05:
+    if filling["grams"] > 0.05 and not _FILLED.search(" ".join(hers)):
         other.append(
             (
                 own["stuffing"],

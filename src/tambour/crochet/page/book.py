@@ -115,6 +115,8 @@ class Book:
         said = self.hers.designer if self.hers is not None else ""
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0] or said).split())
         self.sized = self.said.size or (self.hers.size if self.hers is not None else "")
+        if self.hers is not None and self.said.size and self.hers.size.startswith(self.said.size):
+            self.sized = self.hers.size  # all of the sentence
         self.scale = LARGE if params.large_print else 1.0
         wide, high = PAPERS[params.page]
         self.paper, self.size = (wide, high), (wide / self.scale, high / self.scale)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page.type import BODY, HAIR, LEAD, PAPER, SMALL, SOFT, wrap
 
+_WASHED = re.compile(
+    r"\b(?:hand|machine|spot)?[ -]?wash(?:ed|able|ing)?\b|\bspot[ -]clean|\bsurface clean", re.IGNORECASE
+)
+"""How she says how the piece is washed."""
 _ABOVE = 8.0
 """Between the box and what stands above it, mm."""
 
@@ -13,9 +19,11 @@ _ABOVE = 8.0
 def care(book: Book) -> list[str]:
     """How the piece is washed, and what it takes to be safe for small children: of eyes and parts that it has."""
     built = book.piece.built
+    hers = " ".join([*book.hers.intro, *book.hers.sentences]) if book.hers is not None else ""
+    washed = [] if _WASHED.search(hers) else [book.own["care text"]]  # how she says it it stands among her sentences
     if any(isinstance(record, Eye) for record in built.pattern.finish):
-        return [book.own["care text"], book.own["care eyes"]]
-    return [book.own["care text"], *([book.own["care parts"]] if len(built.graph.parts) > 1 else [])]
+        return [*washed, book.own["care eyes"]]
+    return [*washed, *([book.own["care parts"]] if len(built.graph.parts) > 1 else [])]
 
 
 def care_room(book: Book) -> float:

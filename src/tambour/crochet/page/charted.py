@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from typing import Final
 
+from tambour.core.drawing import Drawing
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import RULES
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
+from tambour.crochet.page.chart import Chart
+from tambour.crochet.page.chart import charts as laid_out
 from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.doubted import doubted
 from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
@@ -25,6 +29,10 @@ _PLAIN: Final = frozenset(
 """What a chart shows no better than words do."""
 _INTO: Final = re.compile(r"(?:inc|dec)\d*")
 _CHAIN: Final = frozenset(("ch", "turn", "color", "fo"))
+_READABLE: Final = 0.42
+"""Scale at which a chart is too small to read: a stitch is 3 mm wide."""
+_LEAST, _TUBE, _EVEN = 8, 6, 0.5
+"""Stitches of the smallest chart; of more rounds than these, of which so many are as the one before, a disc shows less than words."""
 _FEW: Final = 4
 """A round or row of no more than so many different things is told by words."""
 
@@ -44,6 +52,21 @@ def helps(built: Built) -> frozenset[int]:
         if (odd or spaces or uneven) and not set(done) <= _CHAIN:
             found.add(part)
     return frozenset(found)
+
+
+def shows(chart: Chart, drawing: Drawing, wide: float, high: float) -> bool:
+    """Whether a chart can be read, and says more than its outline: it is no single round about a hole, no long tube drawn as a disc, and
+    no stitch of it is small on a page that is so ``wide`` and ``high``."""
+    stitches = [node for node in chart.cells if node not in chart.base]
+    if len(stitches) < _LEAST or (chart.base and len(chart.rounds) < 3):
+        return False  # what is worked along an edge
+    if not chart.rows:
+        counts = [r.count for r in chart.rounds if r.count]
+        plain = sum(a == b for a, b in pairwise(counts))
+        if len(counts) > _TUBE and plain > _EVEN * len(counts):
+            return False
+    w, h = drawing.size.tolist()
+    return min(_LARGEST, wide / w, high / h) >= _READABLE
 
 
 def _joins(line: Written) -> bool:
@@ -73,11 +96,13 @@ def charts(book: Book) -> None:
     """The diagrams, as large as they may be, several on a page where they fit; the symbols on the first page."""
     mirrored = book.piece.params.hand == "left"
     wanted = helps(book.piece.built)
-    found = [plate for plate in plates(book.piece.built, left=mirrored) if plate[0] in wanted]
-    if not found:
-        return
     wide = book.size[0] - 2 * MARGIN
     bottom = book.size[1] - FOOT
+    each = zip(plates(book.piece.built, left=mirrored), laid_out(book.piece.built))
+    found = [plate for plate, chart in each if plate[0] in wanted and shows(chart, plate[2], wide, bottom - TOP - 12.0)]
+    wanted = frozenset(part for part, *_ in found)
+    if not found:
+        return
     title = short(book, book.own["charts"])
     scales = [min(_LARGEST, wide / d.size[0], (bottom - TOP - 12.0) / d.size[1]) for *_, d in found]
     sheet, y = book.below

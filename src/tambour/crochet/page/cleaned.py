@@ -30,7 +30,9 @@ AD: Final = re.compile(
 )
 """A line of a page of the web that is nobody's sentence."""
 _SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
-_AGAIN: Final = re.compile(r"\b(?:from|between) \*+ (?:to|and) \*|\*[^*]+\*,? rep(?:eat)?\b", re.IGNORECASE)
+_AGAIN: Final = re.compile(
+    r"\b(?:from|between) \*+ (?:to|and) \*|\*[^*]+\*,? (?:rep(?:eat)?\b|[x×] ?\d|\d+ ?(?:times|x)\b)", re.IGNORECASE
+)
 """A round whose asterisks say what is worked again."""
 _FROM_SIGN: Final = re.compile(r"\s*\*(?=\w)")
 LETTER: Final = re.compile(r"[^\W\d_]{2}")

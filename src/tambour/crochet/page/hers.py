@@ -160,7 +160,8 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
             continue
         if a >= after:
             if a != after or a not in assembles:
-                pieces = list(sentences_between(text, a, b, made.worked))
+                rounds = [one for one in made.worked if any(line.in_round for line in one.lines)]
+                pieces = list(sentences_between(text, a, b, rounds))
                 made.finishing += [one for c, d in pieces for one in sentences(text, c, d)]
                 for c, d in pieces:
                     steps.line(c, d)
@@ -246,6 +247,8 @@ class _Steps:
     def line(self, a: int, b: int) -> None:
         """The sentences of a line, or of a piece of one: those that no record tells go with the step of the part that they are about, or
         with the one before them; else they wait for the next."""
+        for place in [one for one in self.told if any(at.start <= one[0] < at.end for _, _, at in self.made.headed)]:
+            del self.told[place]  # what a heading has in brackets is no sentence
         before: tuple[int, int] | None = None
         about = -1
         fresh = True  # nothing of this line waits yet

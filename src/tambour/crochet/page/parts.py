@@ -9,6 +9,7 @@ from tambour.core.picture import Picture
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, spots_of
+from tambour.crochet.maker import sure
 from tambour.crochet.page.among import noted, with_hers
 from tambour.crochet.page.answered import says_way
 from tambour.crochet.page.assembly import DOTS
@@ -33,7 +34,7 @@ _WHOLE = 0.8
 _TICK, _NEXT, _FIVE = 2.5, 3.2, 1.0
 """A box to tick, from one to the next, and the gap after five, mm."""
 _STUFFS = re.compile(
-    r"\bstuff(?!ing\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill\b"
+    r"\bstuff(?!ing\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill(?:er|ing|ed)?\b|\b(?:no|without) stuffing|\bunstuffed\b"
 )
 """How a designer says that something is stuffed; "weigh your stuffing" does not."""
 
@@ -170,7 +171,9 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     chain = _first_chain(book, block)
     for row in rows:
         words = row.words.strip("*") if noted(row) else row.words  # set in italics elsewhere
-        if row.hers and not (row.colors and not row.label and len(words.split()) <= _SAYS_COLOR):
+        if row.hers and heads(row.words):
+            pass
+        elif row.hers and not (row.colors and not row.label and len(words.split()) <= _SAYS_COLOR):
             pass  # in her own words
         elif not row.label and row.colors and begun:
             words = f"{own['in last loop'].format(change=words.rstrip('.'))}."
@@ -217,9 +220,11 @@ def _stuffed(book: Book, block: PartText) -> str:
         or part.stuffing <= 0.0
     ):
         return ""
-    said = " ".join(words.lower() for words, _ in book.hers.inside.get(block.section, []))
-    rest = " ".join([*book.hers.intro, *book.hers.closing]).lower()
-    return "" if _STUFFS.search(f"{said} {rest}") else book.own["is stuffed"]
+    text, heads_ = built.pattern.text.text, [at.start for p in built.pattern.parts for at in (p.span, *p.also)]
+    end = min((at for at in heads_ if at > section.span.start), default=len(text))
+    rest = " ".join([*book.hers.intro, *book.hers.closing, *(w for w, _ in book.hers.about.get(block.section, []))])
+    rest += " ".join(sure.paragraph(text, r.span.start, r.span.end, 3) for r in sewn if r.span.end > r.span.start)
+    return "" if _STUFFS.search(f"{text[section.span.start : end]} {rest}".lower()) else book.own["is stuffed"]
 
 
 def _first_chain(book: Book, block: PartText) -> int:

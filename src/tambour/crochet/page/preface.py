@@ -33,6 +33,7 @@ _MORE: Final = frozenset(
         "special stitch",
         "notions",
         "skills",
+        "how big",
         "safety eyes",
         "material",
     ]
@@ -53,7 +54,7 @@ _WARES: Final = re.compile(
 )
 """What lists of materials hold, whatever their heading is."""
 _BY: Final = re.compile(
-    r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer|design(?=:))[: \t]+"
+    r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer|author|design(?=:))[: \t]+"
     r"(?P<name>[A-ZÀ-Þ@][^\n,;|©]{1,50}?)[ \t*_.]*(?:[,;|©].*)?$",
     re.IGNORECASE | re.MULTILINE,
 )
@@ -111,7 +112,7 @@ def before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, in
         elif head in _NOTES:
             mode = ""
             made.intro += [cleaned(line, text)] if plain != head else []
-        elif head in _MORE or head.rstrip("s") in _MORE or any(head in said for said in spoken.values()):
+        elif head in known or head.rstrip("s") in _MORE:
             headline = True
             made.headlines.add(a)
             mode = "terms" if head in _TERMS or head in spoken["abbreviations"] else "listed"
@@ -145,7 +146,7 @@ def before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, in
             made.terms |= (
                 {several["said"]: several["meaning"].strip()}
                 if several is not None
-                else {m["said"]: m["meaning"].strip() for m in _TERM.finditer(plain)}
+                else {m["said"]: m["meaning"].strip() for m in _TERM.finditer(re.sub(r"\s{3,}", "; ", plain))}
             )
         elif mode == "special":
             words = line.partition(":")[2] if headline else line
@@ -177,14 +178,18 @@ def left(made: Hers, pattern: Pattern, lines: list[tuple[int, int, str]]) -> lis
         "gauge",
     }
     found: list[str] = []
+    size = pattern.stated["size"][0] if "size" in pattern.stated else ""
     for a, b, line in lines:
         if plain_of(line) in known or a in made.headlines or AD.match(line) or FOOT.match(line) or _BY.match(line):
             continue
-        found += [
+        more = [
             words
             for words, _ in sentences(text, a, b)
             if _run(words) not in kept and _run(words.partition(":")[2] or words) not in kept
         ]
+        sized = [words for words in more if size and _run(words).startswith(_run(size).rstrip())]
+        made.size = sized[0].rstrip(".") if sized else made.size  # "14 cm high and 10 cm across the cap"
+        found += [words for words in more if words not in sized]
     return found
 
 

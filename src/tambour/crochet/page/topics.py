@@ -40,9 +40,11 @@ class Topics:
         """The place among the pattern's parts of that which is named before anything is said of a place: "Belly: lay the oval along
         …", "Let the vine start in the grass"; -1 where none is by its own name: what "can be hand washed" is no fin."""
         low = english(words, self.terms).text.lower()
-        found = [m for m in mentions(low, self.parts) if any(m.word in part.words for part, _ in m.copies)]
+        found = mentions(low, self.parts)
         to = TO.search(low)
-        if not found or (to is not None and to.start() < found[0].start):
+        if not found or not any(found[0].word in part.words for part, _ in found[0].copies) or low.startswith("if "):
+            return -1
+        if to is not None and to.start() < found[0].start:
             return -1
         if len(_WORD.findall(low[: found[0].start])) > _BEFORE:
             return -1
