@@ -843,6 +843,25 @@ def test_only_neighbours_are_drawn_together_as_one_v() -> None:
         assert lead.invisible(graph, lead.roles(graph)).sum() >= many, last
 
 
+def test_a_second_hump_is_worked_with_the_yarn_of_the_first() -> None:
+    """Its ring was yarn anew: the heart was two strands of one colour. What lies between the humps lies inside of both."""
+    text = (folder() / "crochet" / "heart.acl").read_text(encoding="utf-8")
+    made = make(Text(text), CrochetParams(), Progress())
+    graph, led, x = made.built.graph, made.yarn, made.positions
+    assert led.source.tolist() == [1]
+    ring = np.flatnonzero(graph.peculiarity == ROOT)[1]
+    stitch = led.point_data["stitch"]
+    last = np.flatnonzero(stitch == ring - 1).max()
+    first = np.flatnonzero(np.isin(stitch, np.arange(ring + 1, ring + 7)) & (np.arange(len(stitch)) > last)).min()
+    normal = vertex_normals(x, graph.faces)
+    for at in led.paths.coords[last + 1 : first]:
+        node = int(((x - at) ** 2).sum(1).argmin())
+        assert (at - x[node]) @ normal[node] < -0.2 * graph.stitch_width
+    # Humps that nothing joins are two pieces, each with its own yarn.
+    apart, there = piece(": MR(6)\n: 6 inc\n: MR(6, b)\n: 6 inc\n")
+    assert len(fabric.strands(apart, there).source) == 2
+
+
 def test_a_seam_is_drawn_into_the_edge_that_it_closes() -> None:
     """Its stitches lay over a muzzle's edge as a row of loops that stood up."""
     from crochet_toys import TEXT_BALL

@@ -75,9 +75,12 @@ def begun(
     ring: Array,
     follows: Array,
     drop: Array,
+    *,
+    anew: bool = True,
 ) -> None:
-    """The yarn's beginning before stitch ``i``: a magic ring, the first chain, or yarn joined anew."""
-    pieces.begin(where, i)
+    """The yarn's beginning before stitch ``i``: a magic ring, the first chain, or yarn joined anew; not ``anew``: it comes from the stitch before."""
+    if anew:
+        pieces.begin(where, i)
     if ring[i]:
         # A tail across the middle, once around the ring, then into it.
         k = i

@@ -230,12 +230,17 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows)
     tightened(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
-    for i, path in _carried(graph, role, follows).items():
-        follows[i] = True
+    uncut = _uncut(graph, role, ring)
+    carried = _carried(graph, role, follows, uncut)
+    for i in np.flatnonzero(uncut).tolist():
+        uncut[i] = i in carried
+    for i, path in carried.items():
+        follows[i] = not uncut[i]
         for node in path:
             pieces.put(int(start[i]), AFTER, node, STANDS, _UNDER, float(graph.height[node]))
     for i in worked[~follows[worked]].tolist():
-        begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
+        begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop, anew=not uncut[i])
+    follows[:-1] |= uncut[1:]
     changed = worked[follows[worked]]
     changed = changed[(graph.color[changed] != graph.color[changed - 1]).any(1)]
     for i in changed.tolist():
@@ -274,30 +279,44 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     return _joined(graph, cell, below, at, drop, pieces)
 
 
-def _carried(graph: StitchGraph, role: Array, follows: Array) -> dict[int, list[int]]:
-    """Stitches that the work goes back to (goto), and the nodes behind which the yarn is carried there from the last stitch
-    made: it was not cut, so it is one strand, led from stitch to stitch behind the fabric."""
+def _uncut(graph: StitchGraph, role: Array, ring: Array) -> Array:
+    """First stitches (N,) of rings whose yarn comes from what was worked before them in their part: a second hump's, that is joined to the
+    first. It was not cut, and lies across the ring in the tail's place."""
+    made = np.zeros(len(graph), np.bool_)
+    first = np.flatnonzero(ring)
+    first = first[(first > 1) & (graph.previous[first] < 0)]
+    before = first - 2
+    own = (role[first - 1] == NONE) & (role[before] == STITCH) & (graph.part[before] == graph.part[first])
+    made[first[own & (graph.color[before] == graph.color[first]).all(1)]] = True
+    return made
+
+
+def _carried(graph: StitchGraph, role: Array, follows: Array, uncut: Array) -> dict[int, list[int]]:
+    """Stitches that the work goes back to (goto), or that begin an ``uncut`` ring, and the nodes behind which the yarn is carried there from
+    the last stitch made: it was not cut, so it is one strand, led from stitch to stitch behind the fabric."""
     later = np.flatnonzero((role[1:] != NONE) & (role[:-1] != NONE) & ~follows[1:]) + 1
     later = later[(graph.part[later] == graph.part[later - 1]) & (graph.previous[later] >= 0)]
     later = later[(graph.color[later] == graph.color[later - 1]).all(1)]
+    ways = [(i, i - 1, int(graph.previous[i]), i) for i in later.tolist()]
+    # To a ring through what joins it to the first hump later: straight there the yarn would leave the one and pierce the other.
+    ways += [(i, i - 2, i, len(graph)) for i in np.flatnonzero(uncut).tolist()]
     made = {}
-    if len(later):
+    if ways:
         order = np.argsort(np.concatenate([graph.edges[:, 0], graph.edges[:, 1]]), kind="stable")
         other = np.concatenate([graph.edges[:, 1], graph.edges[:, 0]])[order]
         at = np.searchsorted(np.concatenate([graph.edges[:, 0], graph.edges[:, 1]])[order], np.arange(len(graph) + 1))
-    for i in later.tolist():
-        goal, came = int(graph.previous[i]), {i - 1: i - 1}
-        front = [i - 1]
+    for i, start, goal, end in ways:
+        came, front = {start: start}, [start]
         while front and goal not in came:
             nodes, front = front, []
             for a in nodes:
                 for b in other[at[a] : at[a + 1]].tolist():
-                    if b < i and b not in came and role[b] != NONE and graph.part[b] == graph.part[i]:
+                    if b < end and b not in came and role[b] != NONE and graph.part[b] == graph.part[i]:
                         came[b] = a
                         front.append(b)
         if goal in came:
             path = [goal]
-            while path[-1] != i - 1:
+            while path[-1] != start:
                 path.append(came[path[-1]])
             made[i] = path[::-1]
     return made
