@@ -176,3 +176,53 @@ def test_strokes_are_what_their_paragraph_calls_them() -> None:
     assert drawn
     assert {r.spots[0].part for r in drawn} == {"HEAD"}
     assert unread(words) == []
+
+
+_HOUSE = (
+    "TOADSTOOL\n\nWALLS\nWith cream. Begin in the middle of the floor.\n"
+    "Round 1 - 6 sc in a magic ring - 6\nRound 2 - inc in every stitch - 12\nRound 3 - (sc 1, inc) x 6 - 18\nRound 4 - (sc 2, inc) x 6 - 24\n"
+    "Round 5 - BLO: sc around - 24\nRounds 6 to 12 - sc around - 24\nCut the yarn and stuff.\n\n"
+    "CAP\nWith red. Begin at the top.\n"
+    "Round 1 - 6 sc in a magic ring - 6\nRound 2 - inc in every stitch - 12\nRound 3 - (sc 1, inc) x 6 - 18\nRound 4 - (sc 2, inc) x 6 - 24\n"
+    "Round 5 - (sc 3, inc) x 6 - 30\nRound 6 - (sc 4, inc) x 6 - 36\nRounds 7 to 9 - sc around - 36\nDon't cut the yarn, you need it for joining.\n\n"
+    "GILLS\nWith cream, ch 24. Join with a sl st to make a ring.\nRound 1 - sc in each ch - 24\nRound 2 - BLO: (sc 3, inc) x 6 - 30\n"
+    "Round 3 - BLO: (sc 4, inc) x 6 - 36\nCut the yarn.\n\n"
+    "JOINING CAP AND GILLS\nSet the collar into the cap, wrong sides together. Pick up the red loop again.\n"
+    "Round 10 of the cap - sc through both edges all the way around - 36\nCut the yarn.\n\n"
+    "DOTS (white)\nLarge, make 3: work Rounds 1 and 2 of the walls - 12\nMedium, make 2: work Round 1 of the walls - 6\n\n"
+    "DOOR (brown, in rows)\nCh 5.\nRow 1 - sc in 2nd ch from hook and in each ch across - 4\nRows 2 to 5 - ch 1, turn, sc across - 4\n\n"
+    "CHIMNEY\nRound 1 - with grey, 6 sc in a magic ring - 6\nRounds 2 to 4 - sc around - 6\n\n"
+    "BUILDING\nStart with the door, while the walls are still easy to reach. Slip its bottom edge behind the edge and sew it down all around. "
+    "Now the roof. Sit the cap on the walls so that the inner ring of the gills and the top edge of the walls meet. "
+    "The chimney goes on the right-hand slope when the door is facing you, halfway between the tip of the cap and its rim. "
+    "Scatter the dots over the rest of the cap: a large one above the door, the others wherever there is a gap.\n"
+)  # fmt: skip
+
+
+def test_gills_are_between_the_rims_of_cap_and_stem() -> None:
+    found = pattern(_HOUSE)
+    placed = _placed(_HOUSE)
+    assert [p.name for p in found.parts] == ["WALLS", "CAP", "GILLS", "Large DOTS", "Medium DOTS", "DOOR", "CHIMNEY"]
+    assert (placed["GILLS"].spot.part, placed["CAP"].spot.part) == ("WALLS", "GILLS")
+    assert placed["GILLS"].by == 0.0
+    assert (found.parts[0].up or "end") == "end"
+
+
+def test_sorts_under_one_heading_are_parts_in_its_yarn() -> None:
+    found = pattern(_HOUSE)
+    dots = [p for p in found.parts if "DOTS" in p.name]
+    assert [(p.copies, len([n for n in p.lines if n.in_round])) for p in dots] == [(3, 1), (2, 1)]
+    hues = [
+        next(i.numbers for n in p.lines for i in n.items if isinstance(i, Action) and i.name == "color") for p in dots
+    ]
+    assert hues[0] == hues[1]
+    assert min(hues[0]) > 200
+    assert {_placed(_HOUSE)[f"Large DOTS.{k}"].spot.part for k in (1, 2, 3)} == {"CAP"}
+
+
+def test_what_a_part_stands_on_is_not_what_it_is_tucked_behind() -> None:
+    door, chimney = (_placed(_HOUSE)[name] for name in ("DOOR", "CHIMNEY"))
+    assert door.spot.part == "WALLS"
+    assert chimney.spot.part == "CAP"
+    assert chimney.spot.stitch is not None
+    assert unread(_HOUSE) == []

@@ -185,6 +185,7 @@ class Assembly(Hosts):
             self._featured()
         if usual and (self.heard.puts or self.heard.features):
             self._stand_up()
+            self._between_rims()
         put = Facer(self)
         waiting = self._tree()
         self._fill(waiting)

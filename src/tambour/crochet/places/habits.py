@@ -63,6 +63,22 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         "",
     ),
     (r",?\s*\b(?:exactly\s+|directly\s+|right\s+)?opposite\s+(?:the\s+)?back\b(?:\s+(?:marker|seam|line))?", ""),
+    (
+        r"\b(?:on|down|up)\s+(?:the\s+)?(right|left)[- ]hand\s+(?:side\s+of\s+the\s+)?slope\b",
+        r"on the \1 side of the roof",
+    ),
+    (
+        r",?\s*\bhalf ?way\s+(?:up|down)\s+(?:the|its)\s+slope\b(?:\s+on\s+the\s+(right|left)[- ]hand\s+side)?",
+        lambda m: f" on the {m[1]} side of the roof" if m[1] else " halfway",
+    ),
+    (
+        r",?\s*\bhalf ?way\s+between\s+(?:the|its)\s+(?:tip|top|crown)\s+(?:of\s+the\s+\w+\s+)?and\s+(?:the|its)\s+(?:rim|edge|brim|bottom)\b",
+        " halfway",
+    ),
+    (
+        r"\b(?:so\s+)?(?:slip|tuck|push|slide)\s+(?:its|their|the)\s+(?:bottom|lower|upper|top|back)\s+(?:edge|end)s?\s+(?:behind|under|between|into|below)\s+the\s+\w+\s*(?:,\s*)?(?:and\s+)?",
+        "",
+    ),
     (r"\bbehind and (?=(?:below|above|beside)\b)", ""),
     (
         r"\b(?:the\s+|their\s+)?(?:ends|tips|points)\s+(?:(?:should|must|will)\s+)?(?:look|point|fac)\w*\s+(?:back|to the back|to the rear|towards the (?:tail|back))\b",

@@ -13,6 +13,8 @@ from tambour.crochet.places.stand import numbers_of
 from tambour.crochet.places.usual import usual
 
 LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
+RIM, RIM_OFF = 16, 3
+"""Rims of so many stitches or more meet where they differ by no more than this."""
 SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
 """Words of parts of which one is for every size of a toy."""
 _PATCHES: Final = frozenset(("belly", "face", "spot"))
@@ -40,6 +42,25 @@ class Hosts(Likely):
             return self.main
         put = [c[0] for p in self.heard.puts for c in p.copies if not p.guess and c[0] != self.main]
         return max((m for m in put if m.single and not m.kind), key=self.size, default=self.main)
+
+    def _between_rims(self) -> None:
+        """A ring that is sewn to the rim of what stands on another part by its rim is between the two: gills are sewn to the cap outside and to the
+        stem inside, and the cap is on them."""
+        for ring in self.heard.puts:
+            made, onto = ring.copies[0][0], ring.host
+            if len(ring.copies) > 1 or onto is None or not onto[0].single or ring.where.says:
+                continue
+            begun, rim = len(self.spots.begun(self.spots.parts[made.copy(1)])), self.open(made.copy(1))
+            under = next((p for p in self.heard.puts if p.copies == [onto] and p.host is not None), None)
+            if (
+                under is None
+                or under.host is None
+                or min(begun, rim) < RIM
+                or abs(rim - self.open(onto[0].copy(1))) > RIM_OFF
+            ):
+                continue
+            if abs(begun - self.open(under.host[0].copy(1))) <= RIM_OFF:
+                ring.host, under.host, under.where = under.host, ring.copies[0], ring.where
 
     def _another(self, p: Put, puts: list[Put]) -> bool:
         """Whether limbs are of another version of the toy, or a piece of those that are there: a pair is at that place already."""

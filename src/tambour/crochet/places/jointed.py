@@ -13,6 +13,7 @@ from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import Holder
+from tambour.crochet.places.hosts import RIM, RIM_OFF
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import Way
 
@@ -22,8 +23,6 @@ _DOWN: Final = 0.85
 """Fabric looks down so far, as a cosine."""
 _ROLL: Final = 5.0
 """By how many degrees at a time a head is turned about its nose until its face is above."""
-_RIM, _RIM_OFF = 16, 3
-"""Rims of so many stitches or more meet where they differ by no more than this."""
 _ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
 """A head on the neck of what lies: its back on the neck, its nose ahead."""
 _ON_FRONT: Final = np.array([0.0, 0.7, 0.72])
@@ -113,14 +112,18 @@ class Jointer(Holder):
         assert put.host is not None
         part, host = put.copies[0][0].copy(put.copies[0][1]), put.host[0].copy(max(1, put.host[1]))
         own, other = self.work.open(part), self.work.open(host)
-        if len(put.copies) > 1 or put.where.rounds or min(own, other) < _RIM or abs(own - other) > _RIM_OFF:
+        index = self.work.spots.parts[part]
+        begun, by = len(self.work.spots.begun(index)), None
+        if abs(own - other) > RIM_OFF >= abs(begun - other) and own >= RIM:  # a ring, by its inner edge
+            own, by = begun, float(self.work.host(put.copies[0]).low)
+        if len(put.copies) > 1 or put.where.rounds or min(own, other) < RIM or abs(own - other) > RIM_OFF:
             return None
         h = self.work.host((put.host[0], max(1, put.host[1])))
         ends = [edge for edge in (self.work.spots.rim(h.part), self.work.spots.begun(h.part)) if len(edge)]
         if len(ends) == 1 and any(isinstance(r, Placed) and r.part == host for _, r in self.work.out):
             return None  # a snout is sewn down by its one open end: its nose is on its tip
         number = h.high + 1 if len(self.work.spots.rim(h.part)) else h.low - 1
-        record = Placed(part, Spot(host, float(number), None, put.span), span=put.span)
+        record = Placed(part, Spot(host, float(number), None, put.span), by=by, span=put.span)
         self.stand.place(record)
         return [record]
 

@@ -31,7 +31,7 @@ _KINDS: Final[dict[str, str]] = {
     "wing": "wing flügel ala aile vleugel",
     "fin": "fin flipper flosse aleta nageoire vin",
     "horn": "horn antler antenna antennae antennaes feeler ossicone tusk cuerno corne hoorn",
-    "hat": "hat cap beanie helmet crown bonnet roof lid mütze dach gorro sombrero chapeau bonnet hoed dak hair wig hood fleece",
+    "hat": "hat cap beanie helmet crown bonnet roof slope lid mütze dach gorro sombrero chapeau bonnet hoed dak hair wig hood fleece",
     "tuft": "mane bang fringe curl pigtail ponytail topknot tuft pompom comb crest bun bobble forelock",
     "stem": "stem stalk stiel tallo tige steel twig chimney wall tower",
     "leaf": "leaf petal sepal blatt hoja feuille blad calyx frond",

@@ -17,12 +17,29 @@ _LABEL: Final = re.compile(rf"{_POINT}{_NAME}\s*(?::|\s[–—-])\s", re.IGNOREC
 """What a paragraph begins with: "3) Side fins: …"."""
 _JOINT: Final = re.compile(rf"{_POINT}{_NAME}\s+(?:to|onto|on|and)\s+{_NAME}\s*:\s", re.IGNORECASE)
 """A paragraph about two parts that are sewn to each other: "Head to body: …"."""
+_JOINING: Final = re.compile(
+    rf"{_POINT}(?:joining|attaching|sewing|assembling)\s+{_NAME}\s+(?:to|onto|on|and)\s+{_NAME}\s*:?\s*(?=\n|$)",
+    re.IGNORECASE,
+)
+"""A heading over how two parts are sewn to each other: "JOINING CAP AND GILLS"."""
+_THROUGH: Final = re.compile(r"\b(?:through|into)\s+both\s+(?:the\s+)?(?:edges|layers|pieces|rims|parts|loops)\b")
+_SET: Final = re.compile(
+    r"^\W*(?:then\s+|now\s+|next\s+)?(?:sit|lay|lean|rest|stand|drop|lower)\s+(the\s+\w+)\s+(?=(?:on|onto|over|against|into)\s+the\b)"
+)
+"""What is set on another part before it is sewn: "Sit the cap on the walls so that their edges meet"."""
+_SO: Final = re.compile(r",?\s+so that\b[^.;]*")
+_FACING: Final = re.compile(
+    r",?\s*\b(?:when|with|while|as)\s+the\s+\w+\s+(?:is\s+|are\s+)?(?:facing|towards|looks? at|faces)\s+you\b"
+)
+_SCATTERED: Final = re.compile(r"^(\W*(?:scatter|spread|strew)\b[^:;]*)[:;].*$", re.IGNORECASE | re.DOTALL)
+"""What is scattered over another part, and which of it is where besides."""
+_IT: Final = re.compile(r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?:it|them)\b")
 _JOINS: Final = re.compile(
     r"\b(?:openings?|edges?|match|sew|whip ?stitch|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
 )
 _OPENED: Final = re.compile(
     rf"(?:^|[.!?:]\s+)(?:now|next|then|finally|first(?: of all)?|last(?:ly)?|(?:let's |we )?(?:start|begin|continue|go on|finish) with)\s*,?\s+(?:for\s+)?{_NAME}\s*(?=[.,:!])",
-    re.IGNORECASE,
+    re.IGNORECASE | re.MULTILINE,
 )
 """A sentence that says no more than what comes now: "First the belly."."""
 _OWN: Final = (
@@ -68,6 +85,14 @@ _STROKES: Final = re.compile(
 def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
     """A sentence, at ``begin`` of a text, with the part that its paragraph is about where it leaves it out; as it is otherwise."""
     line = text.rfind("\n", 0, begin) + 1
+    block = text.rfind("\n\n", 0, begin) + 2 if "\n\n" in text[:begin] else 0
+    two = _JOINING.match(text, block)
+    if two is not None and (one_ := _part(two[1], names)) and (other := _part(two[2], names)):
+        joined = begin <= two.end() or _THROUGH.search(words.lower()) or _JOINS.search(words.lower())
+        return f"sew the {_called(other)} to the {_called(one_)}" if joined else words
+    words = _SCATTERED.sub(r"\1", _FACING.sub("", words))
+    if (set_ := _SET.match(words.lower())) is not None:
+        return f"place {set_[1]} {_SO.sub('', words[set_.end() :])}"
     two = _JOINT.match(text, line)
     if two is not None and two.start(1) <= begin and (one_ := _part(two[1], names)) and (other := _part(two[2], names)):
         return f"sew the {_called(one_)} to the {_called(other)}" if _JOINS.search(words.lower()) else words
@@ -127,6 +152,10 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
         made = f"{made[: laid.start()]}sew the {called}{laid['flat'] or ''}{made[laid.end() :]}"
     elif (bare := _BARE.match(made)) is not None:
         made = f"sew the {called} {made[bare.end() :]}"
+    elif (it := _IT.search(made)) is not None and not mentions(
+        made[: it.start()], [Made(n, 1) for n in names if n != name]
+    ):
+        made = f"{made[: it.start()]}{it[1]} the {called}{made[it.end() :]}"
     else:
         noun = part.words[-1] if part.words else ""
         hangs = (

@@ -22,7 +22,7 @@ _REAR: Final = re.compile(
 )
 """What lies and begins so has its end ahead."""
 _SEAT: Final = re.compile(
-    r"\b(?:beg(?:ins?|in(?:ning)?)?|starts?|starting|work(?:ed|ing)?)\.?\s+(?:at|from|with|under|underneath|beneath)\s+(?:the\s+|her\s+|his\s+|its\s+)?(?:very\s+)?(?:bottom|base|seat)\b"
+    r"\b(?:beg(?:ins?|in(?:ning)?)?|starts?|starting|work(?:ed|ing)?)\.?\s+(?:at|from|with|under|underneath|beneath|in)\s+(?:the\s+|her\s+|his\s+|its\s+)?(?:very\s+)?(?:(?:middle|cent(?:er|re))\s+of\s+the\s+)?(?:bottom|base|seat|floor)\b"
     r"(?! (?:end|of (?:the )?(?:head|leg)))"
 )
 """A body that begins so stands on it, or sits, though it has four legs."""
@@ -221,6 +221,8 @@ class Upright(Toy):
         sits = _SITS.search(self.text) is not None and len(re.findall(r"\bmeasures?\b", self.text)) < _TOYS
         if head not in (None, main) and (sits or self._begins(main, _SEAT)):
             return "end"
+        if main.kind == "stem" and self._begins(main, _SEAT):
+            return "end"
         if head in (None, main) and self._based(main, part):
             return "start"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
@@ -239,7 +241,7 @@ class Upright(Toy):
             early
             or any(p.kind == "tentacle" for p in self.parts)
             or self._fringed(part)
-            or _TOP.search(self.text[:4000])
+            or self._top_said(main)
             or self._named_top(main)
         ):
             return "start"
@@ -281,6 +283,14 @@ class Upright(Toy):
         """Whether it is an animal that is all length and lies on its belly, by its name or its title."""
         title = {one(w) for w in re.findall(r"[^\W\d_]+", self.text.strip().split("\n")[0])}
         return bool(_CRAWLS & set(main.words) or (_CRAWLS & title and len(title) < _TITLE))
+
+    def _top_said(self, main: Made) -> bool:
+        """Whether words before the parts, or those of the main one, begin at the top; what another part says of itself is none of these."""
+        starts = sorted(p.span.start for p in self.built.pattern.parts)
+        own = next(p.span.start for p in self.built.pattern.parts if p.name == main.name)
+        end = next((k for k in starts if k > own), len(self.text))
+        said = (m.start() for m in _TOP.finditer(self.text, 0, 4000))
+        return any(at < starts[0] or own <= at < end for at in said)
 
     def _from_top(self, main: Made) -> bool:
         """Whether the main part's own first words begin it at the top."""

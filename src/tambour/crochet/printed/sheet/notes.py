@@ -119,9 +119,9 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
         c.at += 1
     if not name or len([t for t in name if t.kind != "mark"]) > _WORDS or name[-1].word == ".":
         return None
-    if name[0].word == "by" or all(t.word in _LEVELS for t in name):
-        return None  # who made it, and how hard it is
     found = _copies(c)
+    if name[0].word == "by" or (found is None and all(t.word in _LEVELS for t in name)):
+        return None  # who made it, and how hard it is
     if found is not None:
         copies, at = found
     elif (ranks := _RANKS.match(text, name[0].start)) and int(ranks[1]) < int(ranks[2]):
