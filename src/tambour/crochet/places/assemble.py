@@ -15,7 +15,7 @@ from tambour.crochet.places.bundles import bundles
 from tambour.crochet.places.faces import Facer
 from tambour.crochet.places.halves import halves
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
-from tambour.crochet.places.hosts import LIMBS, SIZES, Hosts
+from tambour.crochet.places.hosts import DOMED, LIMBS, SIZES, Hosts
 from tambour.crochet.places.layers import layers
 from tambour.crochet.places.likely import NAMELESS
 from tambour.crochet.places.names import Made, kind_of, one
@@ -62,8 +62,6 @@ _ONCE: Final = frozenset(("eyes", "nose", "mouth", "smile", "cheeks", "brows", "
 """Things of which a face has one, or one pair."""
 _PAIRS: Final = frozenset(("ear", "wing", "foot"))
 """Kinds of things of which a toy has two, one each side."""
-DOMED: Final = frozenset(("muzzle", "nose"))
-"""Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
 
 class Assembly(Hosts):

@@ -13,6 +13,8 @@ from tambour.crochet.places.stand import numbers_of
 from tambour.crochet.places.usual import usual
 
 LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
+DOMED: Final = frozenset(("muzzle", "nose"))
+"""Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 RIM, RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
