@@ -73,3 +73,47 @@ def test_a_stout_leg_falls_until_it_lies_and_rises_only_so_far() -> None:
     assert (
         float(laid[-12:, 1].mean()) < 2.4 and float(laid[-12:, 2].mean()) > 9.0
     )  # its foot lies low, and is still ahead
+
+
+NOSE_FIRST = """HIPPO
+
+HEAD
+Begin at the nose.
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-9: sc around (24)
+Rnd 10: (3 sc, inc) x 6 (30)
+Rnds 11-15: sc around (30)
+Rnd 16: (3 sc, dec) x 6 (24)
+Rnd 17: (2 sc, dec) x 6 (18)
+Rnd 18: (sc, dec) x 6 (12)
+Rnd 19: dec x 6 (6)
+Stuff. Fasten off.
+
+BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-14: sc around (24)
+Rnd 15: (2 sc, dec) x 6 (18)
+Stuff. Fasten off, leaving a tail for sewing.
+
+FINISHING
+Attach safety eyes between Rnds 9 and 10 of the head, 7 stitches apart. Sew the head to the body.
+"""
+
+
+def test_a_body_hangs_straight_down_from_a_head_that_looks_ahead() -> None:
+    """It stood out from its underside where that rounds up to its back, and the toy leaned."""
+    piece = make(Text(NOSE_FIRST, "hippo.txt"), CrochetParams(detail="low", tolerance=0.05), Progress())
+    graph, x = piece.built.graph, piece.positions
+    body, head = (next(p for p in graph.parts if p.name == name) for name in ("BODY", "HEAD"))
+    rounds = piece.built.graph.round
+    own = np.arange(head.start, head.end)
+    ahead = x[own[rounds[own] <= rounds[own].min() + 3]].mean(0) - x[own[rounds[own] >= rounds[own].max() - 3]].mean(0)
+    down = x[body.start : body.start + 18].mean(0) - x[body.end - 18 : body.end].mean(0)
+    ahead, down = (v / np.sqrt((v**2).sum()) for v in (ahead, down))
+    assert abs(float(ahead[1])) < 0.25 and abs(float(ahead @ down)) < 0.1

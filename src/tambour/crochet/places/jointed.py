@@ -166,7 +166,8 @@ class Jointer(Holder):
         spot = replace(self._beneath(head), span=put.span)
         if not self.stand.there(spot):
             return None
-        record = Placed(host, spot, span=put.span)
+        # A head that looks ahead looks ahead over a body that hangs straight down from it, however its underside is round there.
+        record = Placed(host, spot, span=put.span, points=(0.0, -1.0, 0.0))
         work.made.ups.pop(put.host[0].name, None)
         work.made.ups[put.copies[0][0].name] = up
         self.stand.place(record)
