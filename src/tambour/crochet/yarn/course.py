@@ -266,9 +266,18 @@ def _feet(
 
 @kernel
 def on_row(
-    j: int, u: float, x: Array, along: Array, normal: Array, up: Array, after: Array, before: Array, out: Array
+    j: int,
+    u: float,
+    x: Array,
+    along: Array,
+    normal: Array,
+    up: Array,
+    after: Array,
+    before: Array,
+    rises: bool,
+    out: Array,
 ) -> None:
-    """Place (out[0]), normal (out[1]) and up (out[2]) at ``u`` stitches along the yarn from node ``j``."""
+    """Place (out[0]), normal (out[1]) and, where it is asked for, up (out[2]) at ``u`` stitches along the yarn from node ``j``."""
     k = after[j]
     for _ in range(4):
         if u >= 1.0 and k >= 0 and after[k] >= 0:
@@ -282,7 +291,8 @@ def on_row(
         for c in range(3):
             out[0, c] = x[j, c] + u * along[j, c]
             out[1, c] = normal[j, c]
-            out[2, c] = up[j, c]
+            if rises:
+                out[2, c] = up[j, c]
         return
     # Hermite's cubic: tangents as of a spline through the row.
     s = u * u * (3.0 - 2.0 * u)
@@ -290,7 +300,9 @@ def on_row(
     for c in range(3):
         out[0, c] = (1.0 - s) * x[j, c] + s * x[k, c] + p * along[j, c] + q * along[k, c]
         out[1, c] = (1.0 - u) * normal[j, c] + u * normal[k, c]
-        out[2, c] = (1.0 - u) * up[j, c] + u * up[k, c]
+    if rises:
+        for c in range(3):
+            out[2, c] = (1.0 - u) * up[j, c] + u * up[k, c]
 
 
 STANDS = -(2**30)
@@ -332,11 +344,13 @@ def place(
         u, v, w = at[p, 0], at[p, 1], at[p, 2]
         w *= thick if direction[i] >= 0 else -thick
         high = max(height[i], 0.5)
+        # Which way is up matters only below and above a cell, and in one of its own.
+        rises = a == -1 or a == STANDS or v < 0.0 or v > high
         if a == STANDS:
-            on_row(i, u, x, along, normal, up, after, before, top)
+            on_row(i, u, x, along, normal, up, after, before, rises, top)
             a = -1
         else:
-            on_row(host[i], slip[i] + u, x, along, normal, up, after, before, top)
+            on_row(host[i], slip[i] + u, x, along, normal, up, after, before, rises, top)
         if a == -1:
             for c in range(3):
                 out[p, c] = top[0, c] + (v - high) * top[2, c] + w * top[1, c]
@@ -357,7 +371,7 @@ def place(
                     low[1, c] = 0.5 * (normal[a, c] + top[1, c])
                     low[2, c] = 0.5 * (top[0, c] - x[a, c])
             else:
-                on_row(host[a], slip[a] + foot[i] + pace[i] * u, x, along, normal, up, after, before, low)
+                on_row(host[a], slip[a] + foot[i] + pace[i] * u, x, along, normal, up, after, before, v < 0.0, low)
                 if free[a]:
                     for c in range(3):
                         low[2, c] = top[2, c]

@@ -82,15 +82,15 @@ def _leaning(
             continue
         j = host[i]
         # The way of the work there: in a limb of six a stitch further it is another by 60 degrees.
-        on_row(j, slip[i] + MIDDLE + 0.25, x, along, normal, up, after, before, top)
-        on_row(j, slip[i] + MIDDLE - 0.25, x, along, normal, up, after, before, low)
+        on_row(j, slip[i] + MIDDLE + 0.25, x, along, normal, up, after, before, False, top)
+        on_row(j, slip[i] + MIDDLE - 0.25, x, along, normal, up, after, before, False, low)
         for c in range(3):
             way[c] = 2.0 * (top[0, c] - low[0, c])
-        on_row(j, slip[i] + MIDDLE, x, along, normal, up, after, before, top)
+        on_row(j, slip[i] + MIDDLE, x, along, normal, up, after, before, False, top)
         far = size = 0.0
         for k in range(first, last):
             a = anchors[k]
-            on_row(host[a], slip[a] + foot[i] + pace[i] * MIDDLE, x, along, normal, up, after, before, low)
+            on_row(host[a], slip[a] + foot[i] + pace[i] * MIDDLE, x, along, normal, up, after, before, False, low)
             for c in range(3):
                 far += (top[0, c] - low[0, c]) * way[c] / (last - first)
         for c in range(3):
