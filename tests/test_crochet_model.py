@@ -1396,11 +1396,17 @@ def test_a_body_is_begun_at_two_tips_where_both_promise_as_much_and_the_nearer_o
 
     monkeypatch.setattr(designing, "bare", bare)
     monkeypatch.setattr(designing, "pulled", pulled)
-    begun: Any = [(SimpleNamespace(name=name), None) for name in ("one", "two", "three")]
+    monkeypatch.setattr(designing, "stretched", lambda task, best, tries: (task, best, [0.19]))
+    monkeypatch.setattr(designing, "roundness", lambda way: way)
+    begun: Any = [(SimpleNamespace(name=name, way=1.0), None) for name in ("one", "two", "three")]
     task, best, way = designing._best(begun, 3)
-    assert (task.name, best.price, way) == ("one", pytest.approx(0.21), [0.31, 0.2])
+    assert (task.name, best.price, way) == ("one", pytest.approx(0.21), [0.31, 0.2, 0.19])
     # Threads are pulled only through what is about as near without them.
     assert seen == ["one", "two", "three", "one", "two"]
+    # What is not round is tried with threads in its own lengths as well: without them those of a bust became a fifth too short.
+    flat: Any = [(SimpleNamespace(name="three", way=0.8), SimpleNamespace(price=0.25, own=True))]
+    _, best, way = designing._best(flat, 3)
+    assert (best.price, way) == (0.25, [0.2, 0.19])
 
 
 def test_a_head_looks_to_where_its_small_forms_are_and_what_swims_is_not_turned_for_its_fins() -> None:

@@ -14,7 +14,7 @@ from tambour.crochet.model import loop
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.fronts import DRAWN, Fronts, fronts
 from tambour.crochet.model.geodesic import distances
-from tambour.crochet.model.loop import Task, looped, pulled, resized, roundness
+from tambour.crochet.model.loop import Task, looped, pulled, resized, roundness, stretched
 from tambour.crochet.model.rounds import Round, Rounds, pattern
 from tambour.crochet.model.settled import together
 from tambour.crochet.model.whole import bodies
@@ -22,9 +22,8 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.settle import rest
 
 
-def test_a_part_whose_end_is_closed_by_a_round_of_its_own_gets_one_round_more_where_it_lacks_one(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def rod() -> tuple[Array, Array, Array, int]:
+    """A rod with flat ends: its surface, the way along it and its tip; its lines end with a wide one."""
     angle = 2.0 * np.pi * np.arange(24) / 24
     ring = np.column_stack([np.cos(angle), 0.0 * angle, np.sin(angle)])
     high = np.arange(25.0)
@@ -41,7 +40,14 @@ def test_a_part_whose_end_is_closed_by_a_round_of_its_own_gets_one_round_more_wh
     ]
     x, faces, _ = bodies(Mesh(x, np.concatenate([*sides, *caps])), [])[0]
     tip = int(x[:, 1].argmin())
-    f = x[:, 1] - x[tip, 1]  # its lines end with a wide one below a flat end
+    f = x[:, 1] - x[tip, 1]
+    return x, faces, f, tip
+
+
+def test_a_part_whose_end_is_closed_by_a_round_of_its_own_gets_one_round_more_where_it_lacks_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    x, faces, f, tip = rod()
     asked: list[int] = []
 
     def lines(tall: Array) -> Fronts:
@@ -59,6 +65,34 @@ def test_a_part_whose_end_is_closed_by_a_round_of_its_own_gets_one_round_more_wh
     none: Any = off
     resized(task, none, 2)
     assert asked == [22, 23]
+
+
+def test_a_part_that_threads_hold_gets_rounds_more_where_it_lies_short_and_its_threads_stay_where_they_are(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    x, faces, f, tip = rod()
+
+    def lines(tall: Array) -> Fronts:
+        return fronts(x, faces, f, len(tall), tip, None, tall)
+
+    way = lines(np.ones(20))
+    prices = {20: 0.5, 22: 0.4, 24: 0.45}
+    holds: Any = ((5, 0.0, 10, 0.5, 0.2), (20, 0.0, 12, 0.5, 0.2))  # the second one from the round that closes the end
+    best: Any = SimpleNamespace(price=0.5, wanted=1.1 * way.girths, holds=holds)
+    task = Task("Rod", way, Target.of(x, faces), np.eye(3)[0], 0.5, "", CrochetParams(), (5.0, 5.0), lines=lines)
+
+    def tried(task: Task, wanted: Array, holds: Any = ()) -> Any:
+        return SimpleNamespace(price=prices[task.way.rows], wanted=wanted, holds=holds)
+
+    monkeypatch.setattr(loop, "short", lambda _: 4.0)
+    monkeypatch.setattr(loop, "tried", tried)
+    monkeypatch.setattr(loop, "_counted", lambda task, first, tries, step: (first, [first.price]))
+    done, now, history = stretched(task, best, 2)
+    assert done.way.rows == 22 and now.price == 0.4 and history == [0.4, 0.45]
+    assert now.wanted[:22] == pytest.approx(1.1 * done.way.girths[:22])
+    assert [(a, b) for a, _, b, _, _ in now.holds] == [(6, 11), (22, 13)]
+    best.holds = ()
+    assert stretched(task, best, 2) == (task, best, [])
 
 
 def test_threads_that_bring_nothing_yet_are_kept_for_those_that_do_with_them(monkeypatch: pytest.MonkeyPatch) -> None:

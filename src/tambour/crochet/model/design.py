@@ -25,6 +25,7 @@ from tambour.crochet.model.eyed import eyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.loop import (
+    ROUND,
     STEP,
     TRIES,
     Task,
@@ -35,6 +36,8 @@ from tambour.crochet.model.loop import (
     looped,
     missed,
     pulled,
+    roundness,
+    stretched,
     tried,
 )
 from tambour.crochet.model.named import names
@@ -278,7 +281,8 @@ def _looped(task: Task, first: Tried, tries: int) -> tuple[Task, Tried, list[flo
 
 def _best(begun: list[tuple[Task, Tried]], tries: int) -> tuple[Task, Tried, list[float]]:
     """The best that comes of several beginnings, each led through the loop, as which one promises most does not tell; but threads, which
-    take as long as all the rest, are only pulled through those that are then about as near."""
+    take as long as all the rest, are only pulled through those that are then about as near; and, of what is not round, through the beginnings
+    as their lines are."""
     made = [bare(task, first, tries) for task, first in begun]
     near = min(best.price for _, best, _ in made)
     ends = []
@@ -286,7 +290,13 @@ def _best(begun: list[tuple[Task, Tried]], tries: int) -> tuple[Task, Tried, lis
         if best.price <= ALIKE * near:
             best, more = pulled(task, best, tries)
             ends.append((task, best, [round(v, 4) for v in way + more]))
-    return min(ends, key=lambda end: end[1].price)
+    for task, first in begun:
+        if roundness(task.way) < ROUND:
+            best, more = pulled(task, first, tries)
+            ends.append((task, best, [round(v, 4) for v in more]))
+    task, best, way = min(ends, key=lambda end: end[1].price)
+    task, best, more = stretched(task, best, tries)
+    return task, best, way + [round(v, 4) for v in more]
 
 
 def _begun(

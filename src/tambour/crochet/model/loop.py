@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +14,7 @@ from tambour.core.check import Array
 from tambour.crochet.model import bends, readable, threads
 from tambour.crochet.model.distance import Distance, Target, distance, outside
 from tambour.crochet.model.fronts import DRAWN, Fronts, laid
-from tambour.crochet.model.rounds import Rounds, Thread
+from tambour.crochet.model.rounds import Round, Rounds, Thread
 from tambour.crochet.model.settled import Settled, settled
 from tambour.geometry.motion import fit, turned
 
@@ -40,6 +41,9 @@ FLAT = 0.78
 BROAD = 26.0
 """One whose end is so long around, in stitches, is not drawn flat before it is corrected: its end is sewn down in a round, which it would draw to a
 slit and dent what is below (an elephant's ears dented its head, a toy at .34 stitch came to .41)."""
+ROUND = 0.9
+"""A body whose lines enclose a smaller share than this is tried with threads before any round is corrected as well: what stuffing rounds lies outside of
+what is flat, and rounds that counts alone had to bring home were a fifth too short, and stayed so once threads held it (a bust .55, and .37 now)."""
 BATCHES, SPARE, AGAIN, HARDLY = 4, 6, 3, 4
 """In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after
 each; of a part that has no more threads than so many, all are pulled at once."""
@@ -49,6 +53,8 @@ BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
 AT_END, BLUNT = 3, 0.85
 """So many rounds at an end come to this share of it at the least: a thinner end is a peg."""
+LONGER, PULLS = 6, 0.6
+"""By how many rounds more, or fewer, a body that threads hold is tried, and of which share of what it lies too short or too long at once."""
 FEWER, EVENED = 3, 2
 """A part is worked in so many rounds fewer, or more, at the most, than its way is long; how far it goes is told by the means of so many
 rounds on either side of each."""
@@ -113,8 +119,7 @@ class Task:
 def drafted(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> tuple[Rounds, list[int], Array]:
     """Rounds as long as ``wanted`` (R,): the part, its counts, and where every stitch belongs (N, 3)."""
     made = readable.sparing(list(wanted), task.plain)
-    points = laid(task.way, made, task.seam)
-    rounds = readable.rounds(task.way.lines, points, task.plain, task.leans)
+    points, rounds = _led(task.way, tuple(made), tuple(task.seam.tolist()), task.plain, tuple(task.leans))
     closed = task.way.closed and made[-1] <= DRAWN
     tip = [task.way.end[None]] if closed else []
     goal = np.concatenate([task.way.tip[None], *points, *tip])
@@ -131,6 +136,15 @@ def drafted(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> 
     )
     part = Rounds(task.name, made[0], rounds, closed, 1, task.stuffing, None, task.up, task.hollow, pulled)
     return part, made, goal
+
+
+@lru_cache(maxsize=8)
+def _led(
+    way: Fronts, counts: tuple[int, ...], seam: tuple[float, ...], plain: float, leans: tuple[bends.Lean | None, ...]
+) -> tuple[list[Array], tuple[Round, ...]]:
+    """The stitches of rounds of ``counts``, as points, and their words: the same ones are tried with other threads again and again."""
+    points = laid(way, list(counts), np.array(seam))
+    return points, readable.rounds(way.lines, points, plain, leans)
 
 
 def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tried:
@@ -262,6 +276,35 @@ def resized(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[floa
         wider = _wider(task, best, way, (np.arange(rows) + 0.5) / rows)
         on = replace(task, way=way, leans=())
         now, through = _counted(on, tried(on, wider * way.girths), -(-tries // 2))
+        history += through
+        if now.price >= best.price - GAIN:
+            return task, best, history
+        task, best = on, now
+
+
+def stretched(task: Task, best: Tried, tries: int) -> tuple[Task, Tried, list[float]]:
+    """The task, and the best rounds of it, of a part that threads hold, with rounds more or fewer by a share of what it lies shorter or longer than its model,
+    one change after another as long as that brings it nearer: without threads its bulges stood out beyond its ends, and it got too few."""
+    history = list[float]()
+    if task.lines is None or task.hollow[0] or not best.holds:
+        return task, best, history
+    least, most = task.way.rows - LONGER, task.way.rows + LONGER
+    while True:
+        rows = task.way.rows
+        many = min(max(rows + round(PULLS * short(best) * task.stitch[0] / task.stitch[1]), least), most)
+        if many == rows or many < 3:
+            return task, best, history
+        at = np.arange(rows) + 0.5
+        there = np.minimum((at * many / rows).astype(int), many - 1).tolist()
+        leans: list[bends.Lean | None] = [None] * many
+        for k, lean in zip(there, task.leans):
+            leans[k] = lean or leans[k]
+        way = task.lines(bends.heights(leans))
+        there += range(many, many + task.way.closing)  # rounds that close a wide end stay the last ones
+        holds = tuple((there[k], s, there[n], t, more) for k, s, n, t, more in best.holds)
+        on = replace(task, way=way, leans=(*leans[: way.rows], *[None] * way.closing))
+        now = tried(on, _wider(task, best, way, at / rows) * way.girths, holds)
+        now, through = _counted(on, now, tries, HELD)
         history += through
         if now.price >= best.price - GAIN:
             return task, best, history
