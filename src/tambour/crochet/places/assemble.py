@@ -155,7 +155,7 @@ class Assembly(Hosts):
         bare = [p for p in self.parts if not p.worn] or self.parts
         single = [p for p in bare if p.single] or bare
         largest = max(single, key=self.size)
-        body = self.of_kind("body") or self.of_kind("head")
+        body = self.of_kind("body") or self._carapace() or self.of_kind("head")
         if body is not None and (3 * self.size(body) > self.size(largest) or largest.kind):
             return body
         put = {c[0] for p in self.heard.puts for c in p.copies}
@@ -223,6 +223,7 @@ class Assembly(Hosts):
             self.made.worn = clothes(self)
             on = {one.part.split(".")[0]: one.host for one in self.made.worn}
             self.made.apart = [name for name in self.made.apart if name not in on]
+            self.made.finish = [r for r in self.made.finish if not (isinstance(r, Placed) and r.part in on)]
             self.made.guessed += [(name, f"{name} worn on {host.split('.')[0]}") for name, host in on.items()]
         return self.made
 

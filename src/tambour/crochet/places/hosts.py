@@ -19,6 +19,8 @@ RIM, RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 SIZES: Final = frozenset(("large", "small", "big", "little", "mini", "medium"))
 """Words of parts of which one is for every size of a toy."""
+_ABOVE_RIM: Final = 3
+"""So many rounds above the rim of a shell its head is."""
 _PATCHES: Final = frozenset(("belly", "face", "spot"))
 """Kinds of things that stand out from a toy, and of things that only lie on it, and bear none of them."""
 _ON_FACES: Final = frozenset(("eye", "nose", "muzzle", "beak", "cheek"))
@@ -63,6 +65,15 @@ class Hosts(Likely):
                 continue
             if abs(begun - self.open(under.host[0].copy(1))) <= RIM_OFF:
                 ring.host, under.host, under.where = under.host, ring.copies[0], ring.where
+
+    def _carapace(self) -> Made | None:
+        """The shell that is the trunk of a toy with no other: its belly is sewn to it, however else that is said once more."""
+        shell, bellies = self.of_kind("shell"), [p for p in self.heard.puts if p.kind == "belly"]
+        if shell is None or not shell.single or shell not in [p.host[0] for p in bellies if p.host is not None]:
+            return None
+        for p in bellies:
+            p.host = p.host or (shell, 1)
+        return shell
 
     def _another(self, p: Put, puts: list[Put]) -> bool:
         """Whether limbs are of another version of the toy, or a piece of those that are there: a pair is at that place already."""
@@ -117,6 +128,13 @@ class Hosts(Likely):
         mask = next((m for m in every if m.kind == "face" and m.single), None)
         if kind in _ON_FACES and mask is not None and p.where.rounds is None and made != mask:
             p.host = (mask, 1)  # on the face that is sewn on, and not behind it
+        if kind in ("head", "neck") and p.host[0] == main and main.kind == "shell" and p.where.rounds is None:
+            level = float(
+                numbers_of(self.spots, self.spots.parts[main.copy(1)])[1] - _ABOVE_RIM
+            )  # it looks out from under it
+            p.where = replace(
+                p.where, rounds=(level, level, False), words=p.where.words | {"front", "forwards"}, beside=()
+            )
         if p.host[0].halved:  # of two halves the front one bears all
             p.host = (p.host[0], 1)
         self._off_what_hides(p)

@@ -23,6 +23,8 @@ _DOWN: Final = 0.85
 """Fabric looks down so far, as a cosine."""
 _ROLL: Final = 5.0
 """By how many degrees at a time a head is turned about its nose until its face is above."""
+_RIM_SHARE: Final = 0.1
+"""A rim that is wider by this share is eased in."""
 _ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
 """A head on the neck of what lies: its back on the neck, its nose ahead."""
 _ON_FRONT: Final = np.array([0.0, 0.7, 0.72])
@@ -116,7 +118,12 @@ class Jointer(Holder):
         begun, by = len(self.work.spots.begun(index)), None
         if abs(own - other) > RIM_OFF >= abs(begun - other) and own >= RIM:  # a ring, by its inner edge
             own, by = begun, float(self.work.host(put.copies[0]).low)
-        if len(put.copies) > 1 or put.where.rounds or min(own, other) < RIM or abs(own - other) > RIM_OFF:
+        if (
+            len(put.copies) > 1
+            or put.where.rounds
+            or min(own, other) < RIM
+            or abs(own - other) > max(RIM_OFF, _RIM_SHARE * other)
+        ):
             return None
         h = self.work.host((put.host[0], max(1, put.host[1])))
         ends = [edge for edge in (self.work.spots.rim(h.part), self.work.spots.begun(h.part)) if len(edge)]

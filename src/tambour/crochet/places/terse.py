@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.places import face
+from tambour.crochet.places.curt import by_its_edge
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.said import VERB, where
 from tambour.crochet.words.numbers import QUANTITY
@@ -189,6 +190,8 @@ def under(heading: str, text: str, names: list[str]) -> str:
     """A place that stands under the heading of what is put there ("EARS", and below it "Between R4 and R8"), in one sentence, or what is
     embroidered under its name ("Nose: Embroider a triangle on Rnd 1"); "" for all else."""
     led = f"{heading}: {text}"
+    if heading and (full := by_its_edge(led, names)):
+        return full  # "LEGS", and "the closed edge at round 8" below it
     drawn = face.motifs(heading.lower()) if len(heading.split()) == 1 and _DRAWS.search(text.lower()) else []
     if drawn and not face.motifs(text.lower()) and not _REPEATED.search(text) and VERB.search(text.lower()):
         return led

@@ -193,6 +193,8 @@ class Upright(Toy):
         stands = any((0.5 * (a + b) - low + 1) / (high - low + 1) < _HIND for a, b, _ in tails) or (
             self.open(f"{main.name}.1") > 8 and any(p.kind == "head" and "top" in p.where.words for p in mine)
         )
+        if main.kind == "shell" and any(p.kind == "belly" for p in mine):
+            return "start"  # a dome over the belly
         if self.ahead(main):
             return "side"
         if self._begins(main, _UPWARDS):

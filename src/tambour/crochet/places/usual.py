@@ -249,7 +249,9 @@ def usual(
         at = (wide * math.sin(a), level, wide * math.cos(a))
         axis = None if kind in ("spot", "bow", "door") else (at[0], -0.25 if low < 0.0 else 0.5, at[2])
         line = (math.cos(a), 0.0, -math.sin(a))
-        made.append(Way(at, axis, line, True if kind in ("leaf", "tentacle") else None, on=on))
+        made.append(
+            Way(at, axis, line, True if kind in ("leaf", "tentacle") else None if kind != "spot" else False, on=on)
+        )
     return made
 
 

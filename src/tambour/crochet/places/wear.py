@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 _WHERE: Final = {
     "neck": "dress nightgown gown sweater coat bodice shirt tunic robe jacket vest cardigan undershirt overall dungaree jumper romper pajama swimsuit",
     "waist": "skirt apron tutu belt",
-    "scarf": "scarf",
+    "scarf": "scarf collar",
     "nape": "cape cloak",
     "brow": "headband tiara",
 }
@@ -30,11 +30,15 @@ _PIECES: Final = frozenset(
 """Words of parts that are pieces of clothes, and none by themselves."""
 _STRIP: Final = 4.0
 """A scarf is so many times longer than wide, or more."""
+_CLOSE: Final = 0.8
+"""A strip is closed about a neck that it nearly reaches around: it is pulled tight."""
 _FRONT: Final = np.array([0.0, 0.0, 1.0])
 
 
 def where_worn(part: Made) -> str:
     """Where a part is worn by its name; "" for what is not put on a toy by itself."""
+    if part.kind == "collar" and part.single and part.words[-1] == "collar":
+        return "scarf"  # a strip that reaches about the neck; others are sewn on
     if not part.worn or part.copies > 1 or _PIECES & set(part.words):
         return ""
     return next((_WORDS[w] for w in reversed(part.words) if w in _WORDS), "")
@@ -100,7 +104,7 @@ def _goes_on(toy: Assembly, part: int, x: Array, where: str) -> bool:
     wide, high = (float(np.ptp(own[:, k])) + 1.0 for k in (0, 1))
     if where == "scarf":
         about = 2.0 * math.pi * (wearer.mean(0.04 * wearer.long) + OFF)
-        return bool(toy.spots.in_rows[part]) and max(wide, high) > max(_STRIP * min(wide, high), about)
+        return bool(toy.spots.in_rows[part]) and max(wide, high) > max(_STRIP * min(wide, high), _CLOSE * about)
     around = 2.0 * math.pi * (wearer.mean(wearer.catches(base(where), 0.0)) + OFF)
     cloth = Cloth(toy.spots, part, around)
     if not cloth.closed:

@@ -30,7 +30,7 @@ from tambour.crochet.printed.parts.mend import is_start
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.parts.redyed import worn
 from tambour.crochet.printed.parts.reworked import again, allotted
-from tambour.crochet.printed.parts.stripes import lay, planned, without
+from tambour.crochet.printed.parts.stripes import lay, planned, unsaid, without
 from tambour.crochet.printed.rounds.doings import works
 from tambour.crochet.printed.rounds.doubts import decided, tried
 from tambour.crochet.printed.rounds.items import EVENED, evens
@@ -138,6 +138,7 @@ class Headed(State):
                 self.tell(NOT_UNDERSTOOD, "say which stitches are worked in which yarn", place)
         elif draft.plan is not None:
             plan, place = draft.plan
+            tokens = unsaid(words, tokens, span.start)
         else:
             self._said(draft, head, tokens, span)
             return

@@ -36,6 +36,8 @@ from tambour.crochet.printed.sheet.points import unlisted
 from tambour.crochet.printed.sheet.recognise import recognised
 from tambour.crochet.printed.sheet.rims import rimmed
 from tambour.crochet.printed.sheet.runs import listed, parted
+from tambour.crochet.printed.sheet.slashed import slashed
+from tambour.crochet.printed.sheet.sorts import sorted_out
 from tambour.crochet.printed.sheet.spirals import spirals
 from tambour.crochet.printed.sheet.stepped import stepped
 from tambour.crochet.printed.sheet.strung import strung
@@ -181,6 +183,7 @@ class State:
             )
         if not TERMS[self.language.code].prints(source.text.text):
             terms = TERMS[self.language.code]
+            self.rows = slashed(self.rows, terms.words["row"][0].lower())
             self.rows = rimmed(inlined(strung(self.rows), self.vocabulary), terms.words["round"][0].lower())
             self.rows = changes(self.rows, self.vocabulary, terms)
             self.rows = tallied(self.rows, self.vocabulary, terms.words["round"][0].lower())
@@ -197,7 +200,7 @@ class State:
         if self.language.code in ("us", "uk"):
             self.rows = listed(self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(source.text.text):
-            self.rows = titled(self.rows, self.vocabulary)
+            self.rows = titled(sorted_out(self.rows, self.vocabulary), self.vocabulary)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)
         self.small = small(source.text.text, self.rows)
         self.rows = unwrapped(source.text.text, self.rows, self._begins_round)

@@ -9,6 +9,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.places import face
 from tambour.crochet.places.assembling import TO, assembling
+from tambour.crochet.places.curt import fuller
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken, under
 from tambour.crochet.places.topic import about
@@ -50,9 +51,16 @@ _YOUNG: Final = re.compile(
 )
 
 
+_BEFORE_YOU: Final = re.compile(
+    r"\W*before (?:you )?(?:fix|fixing|close|closing|push|press|lock|snap)\w* (?:the |their |its )?(?:washers?|backs?)\b[^.;]*\blook\b",
+    re.IGNORECASE,
+)
+"""A look at the face before the eyes are fastened."""
+
+
 def beside_the_point(text: str) -> bool:
     """Whether a sentence that names parts or eyes puts none anywhere: what lies inside, what its writer did herself, what is safe for whom."""
-    if _YOUNG.match(text):
+    if _YOUNG.match(text) or _BEFORE_YOU.match(text):
         return True
     if _TELLS.match(text):
         return not re.search(r"\b(?:rounds?|rnds?|rows?|R\d+)\b", text, re.IGNORECASE)
@@ -107,7 +115,8 @@ def finishing(p: State, tokens: list[Token]) -> bool:
         )
         if not named or stitches:
             return False
-    heard = about(p.source.text.text, tokens[0].start, heard, tuple(names))
+    full = fuller(heard, names)
+    heard = full if full != heard else about(p.source.text.text, tokens[0].start, heard, tuple(names))
     part, headed = p.parts[-1].name, p.heading.name if p.heading is not None else ""
     led = under(english(headed.lower(), p.language.code).text, heard, names)
     if not (

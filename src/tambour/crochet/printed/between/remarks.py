@@ -49,6 +49,7 @@ _ABOUT: Final = re.compile(
     re.IGNORECASE,
 )
 """What is said of parts behind their heading: "(worked as a pair, so that they match)"."""
+_THANKS: Final = re.compile(r"\W*(?:many )?thank(?:s| you)\b[^\d]*", re.IGNORECASE)
 _COLUMN: Final = re.compile(
     r"\W*(?:in |the )*(?:first|1st|left|second|2nd|middle|third|3rd|last|right) (?:column|number|figure|cell)\b(?! of)",
     re.IGNORECASE,
@@ -68,6 +69,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
         or _COUNTED.fullmatch(said)
         or _ABOUT.fullmatch(said)
         or _COLUMN.match(said)
+        or _THANKS.fullmatch(said)
     ):
         return True
     if SCULPTED.search(said.lower()):

@@ -41,7 +41,7 @@ from tambour.crochet.printed.parts.hung import joined_in_loops
 from tambour.crochet.printed.parts.laid import laid
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.parts.reworked import again
-from tambour.crochet.printed.parts.stripes import Plan, blocks, lay, planned, without
+from tambour.crochet.printed.parts.stripes import Plan, blocks, lay, onward, planned, without
 from tambour.crochet.printed.rounds.counts import makes
 from tambour.crochet.printed.rounds.doings import by_hand, gathered_shut
 from tambour.crochet.printed.rounds.doings import works as works_at
@@ -182,7 +182,11 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         and (made := blocks(p.source.text.text[begin:end], p.palette, draft.lines)) is not None
     ):
         return _in_blocks(p, draft, tokens, made)
-    found = planned(p.source.text.text[begin:end], p.palette, draft.lines) if draft is not None and draft.last else None
+    found = None
+    if draft is not None and draft.last:
+        plans = [d.plan[0] for d in p.parts if d.plan is not None]
+        said = p.source.text.text[begin:end]
+        found = planned(said, p.palette, draft.lines) or onward(said, p.palette, plans)
     if draft is None or found is None or p.heading is not None or p.mode in ("materials", "abbreviations", "assembly"):
         known = {id(line) for line in draft.lines} if draft is not None and draft.plan is not None else set()
         read = plainly(p, tokens)

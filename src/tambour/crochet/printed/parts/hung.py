@@ -86,6 +86,8 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
     ring = (*foundation(edge, span, False), Action("join", span))  # chains that lift the yarn after it are none of it
     draft.lines.append(Line(ring, span, False))
     draft.edge, draft.flat = edge, False
+    if draft.copies_span is None:
+        draft.copies = owner.copies  # a turn-up of each of two legs
     p.hung.append(Hung(draft, owner, number, span))
     return read
 
@@ -107,18 +109,13 @@ def hang_on(built: Built, hung: list[Hung]) -> list[Placed]:
     """Their records: all round on the stitches of that round, by their first."""
     spots, made = spots_in(built), list[Placed]()
     for one_ in hung:
-        part, onto = one_.part.name, one_.owner.name
-        if part not in spots.parts or onto not in spots.parts:
-            continue
-        k, first = spots.round_at(spots.parts[onto], one_.number), spots.rounds_of(spots.parts[part])
-        if k is not None and first:
-            made.append(
-                Placed(
-                    part,
-                    Spot(onto, float(one_.number), None, one_.span),
-                    by=float(first[0]),
-                    through=len(spots.stitches(k)),
-                    span=one_.span,
-                )
-            )
+        copies = one_.owner.copies if one_.owner.copies == one_.part.copies else 1
+        for n in range(1, copies + 1):
+            part, onto = (f"{name}.{n}" if copies > 1 else name for name in (one_.part.name, one_.owner.name))
+            if part not in spots.parts or onto not in spots.parts:
+                continue
+            k, first = spots.round_at(spots.parts[onto], one_.number), spots.rounds_of(spots.parts[part])
+            if k is not None and first:
+                spot, through = Spot(onto, float(one_.number), None, one_.span), len(spots.stitches(k))
+                made.append(Placed(part, spot, by=float(first[0]), through=through, span=one_.span))
     return made

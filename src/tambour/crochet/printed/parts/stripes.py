@@ -49,7 +49,7 @@ _DYED: Final = re.compile(
     re.IGNORECASE,
 )
 _ODDS: Final = re.compile(
-    rf"(?:(?:and|all|the)\s+)*\b(odd|even)(?:[- ]numbered)?\s+(?:{_UNIT}|ones)\s*(?:(?:is|are)\s+)?(?:worked\s+)?(?:in|with|using)\s+{_YARN}(?=\W|$)",
+    rf"(?:(?:and|all|the)\s+)*\b(odd|even)(?:[- ]numbered)?\s+(?:{_UNIT}|ones)\s*(?:(?:is|are)\s+)?(?:worked\s+)?(?:(?:in|with|using)\s+)?{_YARN}(?=\W|$)",
     re.IGNORECASE,
 )
 _BEFORE: Final = re.compile(r"(?:[(,;.]\s*)?(?:\b(?:work(?:ing)?|using|with|in|and|all|the)\s+)*$", re.IGNORECASE)
@@ -130,6 +130,46 @@ def _by_number(words: str, palette: Palette, first: int, many: int) -> tuple[Pla
     return Plan(tuple(runs)), (begin, end + (words[begin] == "(" and words[end : end + 1] == ")"))
 
 
+def _odds(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan of a sentence that names a yarn for odd rounds and one for even ones, from the next round on."""
+    found = list(_ODDS.finditer(words))
+    last = next((line for line in reversed(worked) if line.number is not None), None)
+    kinds = {m[1].lower(): _hue(m[2], palette) for m in found}
+    if len(found) != 2 or last is None or last.number is None or None in kinds.values() or len(kinds) < 2:
+        return None
+    odd = (last.number + last.times) % 2
+    runs = [(kinds[kind], 1) for kind in (("odd", "even") if odd else ("even", "odd"))]
+    return Plan(tuple((hue, n) for hue, n in runs if hue is not None)), (found[0].start(), found[-1].end())
+
+
+_ONWARD: Final = re.compile(
+    rf"^\W*(?:in\s+)?(?:the\s+same\s+)?stripes?\b[^.;:\d]*\b(?:begin|start)\w*\s+(?:with|in)\s+{_YARN}(?=\W|$)",
+    re.IGNORECASE,
+)
+"""Stripes as those of a part before: "Stripes, begin with cream"."""
+_AGAIN: Final = re.compile(
+    r",\s*(?:every|each)\s+(?:round|rnd|row)\s+(?:in\s+)?(?:the\s+)?other\s+colou?r", re.IGNORECASE
+)
+"""What a round says once more that is striped already."""
+
+
+def onward(words: str, palette: Palette, plans: list[Plan]) -> tuple[Plan, tuple[int, int]] | None:
+    """The stripes of an earlier part, begun with the yarn that a sentence names; ``plans`` : those of the text so far."""
+    found = _ONWARD.match(words)
+    hue = _hue(found[1], palette) if found is not None else None
+    plan = next((p for p in reversed(plans) if hue in [one for one, _ in p.runs]), None)
+    if found is None or plan is None:
+        return None
+    at = next(k for k, (one, _) in enumerate(plan.runs) if one == hue)
+    return Plan((*plan.runs[at:], *plan.runs[:at])), found.span()
+
+
+def unsaid(words: str, tokens: list[Token], start: int) -> list[Token]:
+    """``tokens`` of a striped round, whose words begin at ``start``, without "every round the other colour"."""
+    found = _AGAIN.search(words)
+    return tokens if found is None else without(tokens, Span(start + found.start(), start + found.end()))
+
+
 def planned(
     words: str, palette: Palette, worked: list[Line], many: int = 1, first: int = 0
 ) -> tuple[Plan, tuple[int, int]] | None:
@@ -142,6 +182,8 @@ def planned(
         return ordered
     if not _HINT.search(words):
         return None
+    if many == 1 and not first and (odds := _odds(words, palette, worked)) is not None:
+        return odds
     if many > 1 and first and (by_number := _by_number(words, palette, first, many)) is not None:
         return by_number
     if (found := _CHANGED.search(words)) is not None and (after := _AFTER.match(words, found.end())) is not None:

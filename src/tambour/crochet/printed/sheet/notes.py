@@ -142,6 +142,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     words = text[max(begin, row.start) : end]
     # What was left out as a filler still belongs to the name.
     words = text[row.tokens[0].start : end] if at is None or at.start > end else words
+    if any(t.start == t.end for t in name):
+        words = " ".join(t.word for t in name)  # a noun that stands in the heading above: "Six small, each:"
     if any(t.kind == "key" and t.value == "hook" for t in name):
         return None  # "Crochet hook C in white"
     if any(a.kind == "number" and b.kind == "stitch" for a, b in pairwise(name)):

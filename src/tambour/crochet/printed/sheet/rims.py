@@ -11,7 +11,7 @@ from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.tokens import Row, Token
 
 _HANGS: Final = frozenset(
-    "frill flounce peplum petticoat ruffle hem fringe valance edge edging border grass trim collar ruff".split()
+    "waistband cuff turnup frill flounce peplum petticoat ruffle hem fringe valance edge edging border grass trim collar ruff".split()
 )
 """What hangs from loops besides clothes."""
 _EDGES: Final = frozenset(("edge", "edging", "border", "trim", "frill", "ruffle"))
@@ -21,6 +21,7 @@ _LOOPS: Final = (
 )
 _LAST: Final = re.compile(rf"{_LOOPS}$")
 _SAID: Final = re.compile(_LOOPS)
+_TURNED: Final = re.compile(r"\bturn[ -]+up\b")
 _FROM: Final = frozenset(("from", "starting", "beginning", "at"))
 _OPEN: Final = ("(", "[", "*")
 _NAME: Final = 3  # words of a name
@@ -28,7 +29,7 @@ _NAME: Final = 3  # words of a name
 
 def hanging(name: str) -> bool:
     """Whether what is called so hangs from loops: a skirt, a frill."""
-    words = [one(w) for w in re.findall(r"[^\W\d_]+", name.lower())]
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", _TURNED.sub("turnup", name.lower()))]
     return any(kind_of(w) == "worn" or w in _HANGS for w in words)
 
 
@@ -61,27 +62,36 @@ def _edging(row: Row, called: str) -> list[Row]:
 
 
 def _told(row: Row, called: str) -> list[Row]:
-    """The heading, the yarn, the loops and the only round of "COLLAR, white: in the 18 free loops of R40, from the back, 2 hdc in each (36)"."""
+    """The heading, the yarn, the loops and the only round of "COLLAR, white: in the 18 free loops of R40, from the back, 2 hdc in each (36)" and of
+    "Waistband: blue, in the front loops of R16, 36 sl st"."""
     tokens = row.tokens
     colon = next((k for k, t in enumerate(tokens[: 2 * _NAME + 1]) if t.word == ":"), 0)
-    name = next((k for k, t in enumerate(tokens[:colon]) if t.kind != "word"), colon)
+    name = next((k for k, t in enumerate(tokens[:colon]) if t.kind != "word" and t.word != "-"), colon)
     if not 0 < name <= _NAME or not tokens[0].capital or not hanging(" ".join(t.word for t in tokens[:name])):
         return []
-    said = _SAID.search(" ".join(t.word for t in tokens[colon + 1 :]))
-    if said is None or tokens[colon + 1].word not in ("in", "into", "on"):
+    yarn, begin = tokens[name + 1 : colon], colon + 1
+    if not yarn and (
+        comma := next((k for k in range(begin, min(begin + _NAME, len(tokens))) if tokens[k].word == ","), 0)
+    ):
+        yarn, begin = tokens[begin:comma], comma + 1
+    said = _SAID.search(" ".join(t.word for t in tokens[begin:]))
+    if said is None or tokens[begin].word not in ("in", "into", "on"):
         return []
-    at = colon + 1 + len(said.string[: said.end()].split())
+    at = begin + len(said.string[: said.end()].split())
     while at + 1 < len(tokens) and tokens[at].word == "," and tokens[at + 1].word in _FROM:
         at = next((k for k in range(at + 1, len(tokens)) if tokens[k].word == ","), len(tokens))  # "from the back"
     if at + 2 >= len(tokens) or tokens[at].word != "," or tokens[at + 1].kind != "number":
         return []
-    made = [Row(tokens[:name], tokens[0].start, tokens[name - 1].end, max(row.marked, 1))]
-    if name + 1 < colon:
-        yarn = tokens[name + 1 : colon]
-        made.append(
-            Row([Token("word", "with", yarn[0].start, yarn[0].start, capital=True), *yarn], yarn[0].start, yarn[-1].end)
-        )
-    loops, rest = tokens[colon + 1 : at], tokens[at + 1 :]
+    head = (
+        [replace(tokens[0], word="turnup", end=tokens[name - 1].end)]
+        if any(t.word == "-" for t in tokens[:name])
+        else tokens[:name]
+    )
+    made = [Row(head, tokens[0].start, tokens[name - 1].end, max(row.marked, 1))]
+    if yarn:
+        led = Token("word", "with", yarn[0].start, yarn[0].start, capital=True)
+        made.append(Row([led, *yarn], yarn[0].start, yarn[-1].end))
+    loops, rest = tokens[begin:at], tokens[at + 1 :]
     place = rest[0].start
     head = [
         Token("word", called, place, place, capital=True),

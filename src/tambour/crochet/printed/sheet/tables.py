@@ -17,6 +17,8 @@ _TOTALS: Final = frozenset("total totals count counts # sts st maschenzahl anzah
 _WORDED: Final = frozenset(
     "instruction instructions pattern directions description what anleitung beschreibung instrucciones explications instructie patroon".split()
 )
+_ROWS: Final = frozenset(("rows", "reihen", "rangs", "filas", "toeren"))
+_HEADED: Final = 3  # lines above a table among which its heading may say that it is in rows
 _RANGED: Final = ("-", "&", "/", "~")
 _MOST: Final = 400  # of a number of a round
 
@@ -41,8 +43,11 @@ def tabled(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
             if hued := _hued(rows[k].tokens) if titled is not None and ruled else 0:
                 for at in run:
                     made[at] = _dyed(made[at], hued)
+            above = [row for row in rows[max(0, run[0] - _HEADED) : run[0]] if row.tokens]
+            flat = any(t.word in _ROWS for row in above for t in row.tokens)
+            named = TERMS[vocabulary.code].words["row"][0].lower() if flat else called
             for n, at in enumerate(run if first or not ruled else []):
-                _set(text, made, at, run[n + 1] if n + 1 < len(run) else at + 2, counted, first, called)
+                _set(text, made, at, run[n + 1] if n + 1 < len(run) else at + 2, counted, first, named)
             if known and (first or not ruled):
                 made[k] = replace(rows[k], tokens=[])
             k = run[-1]

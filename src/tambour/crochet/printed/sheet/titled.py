@@ -3,6 +3,7 @@ x2 (pink)``, ``For the arms, use brown.``; what it says besides follows on lines
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Final
@@ -91,6 +92,7 @@ class _Words:
 def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     """``rows`` with the headings that stand over first rounds put plainly; what stands over the whole text may be more than a heading."""
     words = _Words(vocabulary)
+    rows = [_onward(row) for row in rows]
     rows = [part for row in rows for part in _founded(row, words)]
     made: list[Row] = []
     top = next((k for k, row in enumerate(rows) if row.tokens), 0)
@@ -111,6 +113,22 @@ def titled(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         made.append(Row([*title.name, *_made(title, words)], row.start, row.end, max(row.marked, 1)))
         made += [Row(_yarn(aside, words), aside[0].start, aside[-1].end) for aside in title.asides]
     return made
+
+
+_ONWARD: Final = re.compile(
+    r"(?:[,:(-] (?:no cutting|without (?:cutting|cut)(?: the (?:yarn|thread))?|(?:just )?(?:go|going|carry) on|continu(?:e|ed|ing|ation)|"
+    r"(?:do not|don't) cut(?: (?:it|the (?:yarn|thread)))?|in one piece) ?[)]? ?)+"
+)
+
+
+def _onward(row: Row) -> Row:
+    """The heading of what a piece goes on with as its name alone: "HEAD, no cutting, go on"."""
+    tokens = row.tokens
+    end = next((k for k, t in enumerate(tokens[: _NAME + 1]) if t.kind != "word"), 0)
+    if not end or not tokens[0].capital or not kind_of(one(tokens[end - 1].word)):
+        return row
+    goes_on = _ONWARD.fullmatch(" ".join(t.word for t in tokens[end:]))
+    return row if goes_on is None else replace(row, tokens=tokens[:end])
 
 
 def _founded(row: Row, words: _Words) -> list[Row]:
@@ -270,6 +288,9 @@ def _counts(made: _Title, piece: _Piece, words: _Words) -> bool:
         t.value == "hook" for t in words.read(said)
     ):
         return False  # "make 6: 2 each with A, B and C"
+    if said[0].word == "always" and made.asides and any(t.value == "turn" for t in words.read(said)):
+        made.asides[-1] = [*made.asides[-1], *said]  # "in rows, always ch 1 and turn"
+        return True
     flat = [t.value for t in words.read(said)] in (["in", "row"], ["in", "round"], ["around"])  # "Wings (x2), in rows"
     aside = piece.bracketed or piece.mark in _DOTS or flat
     if any(t.kind == "stitch" or (t.kind == "key" and t.value in _BUSY and not aside) for t in words.read(said)):

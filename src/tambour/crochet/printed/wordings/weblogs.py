@@ -74,6 +74,10 @@ SAID: Final = (
     (r"((?:\d+ )?(?:sts?|stitches)) of (?:the )?(?:cap|wig|hat|head|body|skirt)(?= ?[\]),.;])", "{1}"),
     (rf"(?:^|(?<=, ))(?:and )?then (?:the |a )?[a-z]+ (?:on|in|along|across) (?:the )?(?:{NUMBER}) (?:st|sts|stitches) (?:left|remaining|that (?:are left|remain)) :", ""),
     (rf"ch (\d+) , (?:go |going |work |working )?back from (?:the )?(2nd|second) ch(?:ain)?(?: from (?:the )?hook)?(?= \d+ (?:{_KIND}))", "ch {1} , from {2} ch from hook"),
+    (r"stop , (?:sl|slst|sl st|ss) , (?:and )?cut(?: (?:the )?(?:yarn|thread))?(?= ?[.;]| ?$)", "sl st , fasten off"),
+    (r"((?:little|thin|light|some|no) (?:filling|stuffing)) , fold(?: it)?(?: in half)? , (\d+) (x|sc)(?: (?:on|through|in|over) (?:both|the two|two) (?:sheets|layers|sides|walls))?(?= ?[.;]| ?$)", "{1} . fold in half and {2} {3} through both layers"),
+    (r"(?:close : )?fold(?: it)?(?: in half)? , (\d+) (x|sc)(?: (?:on|through|in|over) (?:both|the two|two) (?:sheets|layers|sides|walls))?(?= ?[.;]| ?$)", "fold in half and {1} {2} through both layers"),
+    (r"((?:(?:rnd|round|row|r) )?\d+ (?:-|[|:.)]) .*?) < -+ [^<>|]*$", "{1} , marker"),
     # repeats
     (r"repeat(?= [\[(] [^\])*]+ [\])] (?:around|across|to (?:the )?end)(?: ?[.,;(]| ?$))", ""),
     (rf"(dec|decrease|invdec|sc2tog) over (?:the )?(?:first|next|last|following) 2 (?:{_STITCH})", "{1}"),
