@@ -523,6 +523,8 @@ def test_rounds_of_a_surface_that_is_its_own_image_lie_level_though_its_corners_
     even_ = evened(surface, f, tip, plane)
     assert leans(f) > 0.5 and leans(even_) < 0.1
     assert (evened(surface, f, tip, None) == f).all()
+    # It begins at nothing: a scorpion's tip lay a stitch beside the middle, no line lay one row from it, and that was a traceback.
+    assert even_.min() == 0.0 and len(lines(x, faces, even_, 1.0)) == 1
     aside = int(x[:, 0].argmax())  # what is no tip in the middle is as it is
     way = distances(x, faces, np.array([aside]))
     assert (evened(surface, way, aside, plane) == way).all()

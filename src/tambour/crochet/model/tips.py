@@ -232,7 +232,9 @@ def evened(surface: Target, f: Array, tip: int, plane: Mirror | None) -> Array:
     face, uv, _ = nearest(surface.tree, plane.image(surface.vertices))
     a, b, c = (f[surface.faces[face, k]] for k in range(3))
     even = 0.5 * (f + a + uv[:, 0] * (b - a) + uv[:, 1] * (c - a))
-    return np.asarray(np.where(np.isfinite(even), even, f))
+    even = np.where(np.isfinite(even), even, f)
+    # Of a tip beside the plane it is least between that and its image, as far from both: there it begins.
+    return np.asarray(even - even.min())
 
 
 def _price(surface: Target, f: Array, tip: int) -> float:
