@@ -226,3 +226,47 @@ def test_what_a_part_stands_on_is_not_what_it_is_tucked_behind() -> None:
     assert chimney.spot.part == "CAP"
     assert chimney.spot.stitch is not None
     assert unread(_HOUSE) == []
+
+
+def test_a_legend_in_columns_is_one() -> None:
+    words = (
+        "HEDGEHOG\n\nStitches\n  MR     magic ring\n  ss     slip stitch\n  dc     double crochet (UK)\n  inc    2 dc in the same stitch\n"
+        "  lp     loop stitch: lift the yarn with a finger, catch both strands\n  lpinc  2 lp in the same stitch\n  lpdec  2 lp together\n\n"
+        "This pattern uses UK terms.\n\nBody\n  Cream, starting at the nose.\n   1   6 dc in MR    6\n   2   inc x 6    12\n   3   4 dc, 8 lp    12\n"
+        "   4   4 dc, (1 lp, lpinc) x 4    16\n   5   4 dc, (1 lp, lpdec) x 4    12\n"
+    )
+    assert counts(words) == [6, 12, 12, 16, 12]
+    lines = pattern(words).parts[0].lines
+    assert any(i.name == "loopst" for line in lines for i in line.items if isinstance(i, Action))
+    assert any(isinstance(i, Action) and i.name == "color" for line in lines for i in line.items)
+
+
+_FOUR = (
+    "ELEPHANT\n\nHEAD WITH TRUNK\nGrey. You begin with the end of the trunk.\nRd 1: 6 sc in a magic loop = 6\nRd 2: 2 sc in each st = 12\nRd 3 - 9: 1 sc in each st = 12\n"
+    "Rd 10: 2 sc in each st = 24\nRd 11 - 15: 1 sc in each st = 24\nRd 16: sc2tog 12 times = 12\n\n"
+    "BODY\nGrey. You begin at the bottom, the tail end.\nRd 1: 6 sc in a magic loop = 6\nRd 2: 2 sc in each st = 12\nRd 3: [1 sc, 2 sc in next st] 6 times = 18\n"
+    "Rd 4: [2 sc, 2 sc in next st] 6 times = 24\nRd 5 - 20: 1 sc in each st = 24\nRd 21: sc2tog 12 times = 12\nRd 22: sc2tog 6 times = 6\nStuff and close.\n\n"
+    "LEG (make 4)\nGrey.\nRd 1: 6 sc in a magic loop = 6\nRd 2 - 6: 1 sc in each st = 6\nLeave a thread and stuff.\n\n"
+    "PUTTING HIM TOGETHER\nThe legs first. Lay the body on its back and pin the legs on the tummy: the hind pair between Rd 5 and Rd 8, "
+    "the front pair between\nRd 15 and Rd 18. Now sew around each leg twice.\nHead: sew it to the front end of the body.\n"
+)  # fmt: skip
+
+
+def test_four_legs_are_told_as_two_pairs_across_a_broken_line() -> None:
+    placed = _placed(_FOUR)
+    assert [placed[f"LEG.{k}"].spot.round for k in (1, 2, 3, 4)] == [16.5, 16.5, 6.5, 6.5]
+
+
+def test_the_tail_end_is_no_seat_and_the_end_of_a_trunk_no_part() -> None:
+    found = pattern(_FOUR)
+    assert [p.name for p in found.parts] == ["HEAD WITH TRUNK", "BODY", "LEG"]
+    assert found.parts[1].up == "back"
+
+
+def test_blush_is_sewn_below_eyes_that_are_there() -> None:
+    words = _cat(
+        "Head to body: sew together.\nFace: Eyes now. They go between rounds 7 and 8 of the head, 6 stitches apart. A few pink stitches under each eye make her blush."
+    )
+    found = pattern(words).finish
+    assert {r.spot.round for r in found if isinstance(r, Eye)} == {7.5}
+    assert [r for r in found if isinstance(r, Embroidery)]

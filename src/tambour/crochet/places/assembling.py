@@ -63,7 +63,7 @@ IT: Final = re.compile(
 SAFETY_NOSE: Final = re.compile(r"\b(?:safety|plastic|animal|button) nose\b")
 """A nose that is bought, as safety eyes are."""
 BLUSH: Final = re.compile(
-    r"\b(?:brush|dab|paint|rub|colou?r|dust|apply|put|add|use|give)\w*\b[^.;]*\b(?:blush(?:er)?|rouge|make-?up|chalk|pastels?)\b(?! here)|\bblush\b[^.;]*\bcheeks?\b|\bcheeks?\b[^.;]*\bblush\b|"
+    r"\b(?:brush|dab|paint|rub|colou?r|dust|apply|put|add|use|give)\w*\b[^.;]*\b(?:blush(?:er)?|rouge|make-?up|chalk|pastels?)\b(?! here)|\bblush\b[^.;]*\bcheeks?\b|\bstitch(?:es)?\b[^.;]*\beyes?\b[^.;]*\bblush\b|\bcheeks?\b[^.;]*\bblush\b|"
     r"\bcolou?r (?:in )?(?:the |his |her |its )?cheeks?\b"
 )
 """Cheeks that are painted."""

@@ -223,3 +223,10 @@ def embroidered(
                 places.append(at)
         made.append(Embroidery(tuple(places), color, thick, span, motif=name.removesuffix(" down")))
     return made
+
+
+def pieces(low: str, features: list[str]) -> list[str]:
+    """What a clause says of each of several things that are embroidered: the words from its name on."""
+    starts = [place[0] for name in features if (place := found(name, low)) is not None]
+    ends = [*starts[1:], len(low)]
+    return [low[a:b] for a, b in zip(starts, ends)] if len(starts) == len(features) else [low] * len(features)

@@ -262,7 +262,12 @@ class Heard:
         felt = re.search(r"\bfelt\b", low)
         eyes = EYES.search(low)
         eyed = bool(
-            eyes and EYED.search(low) and not _SEWN_EYES.search(low) and not named_eyes and _put_eyes(low, eyes.start())
+            eyes
+            and EYED.search(low)
+            and not _SEWN_EYES.search(low)
+            and not named_eyes
+            and not BLUSH.search(low)
+            and _put_eyes(low, eyes.start())
         )
         if (two := _ONE_OTHER.search(low)) and (which := mentions(two[1], self.parts)):
             part = which[0].copies[0][0]
@@ -286,7 +291,7 @@ class Heard:
             host = self._on(found, low) or self._stem(sentence)
             both = ["nose"] if re.search(r"\beyes? and (?:the )?(?:safety )?nose\b", low) else []
             names = ["safety eyes", *both] if eyed else [face.styled(f, low) for f in features]
-            pieces = _pieces(low, features) if len(features) > 1 and not eyed else [low] * max(len(names), 1)
+            pieces = face.pieces(low, features) if len(features) > 1 and not eyed else [low] * max(len(names), 1)
             for name, piece in zip(names, pieces):
                 own = where(piece)
                 place = own if own.says or own.wide else at if piece is low or not at.beside else replace(at, beside=())
@@ -491,10 +496,3 @@ def _each(mention: Mention, copies: list[Copy]) -> Copy:
     part, k = mention.copies[0]
     own = [c for c in copies if c[0] == copies[0][0]]
     return (part, 0) if len(mention.copies) > 1 and len(own) % part.copies == 0 else (part, k)
-
-
-def _pieces(low: str, features: list[str]) -> list[str]:
-    """What a clause says of each of several things that are embroidered: the words from its name on."""
-    starts = [found[0] for name in features if (found := face.found(name, low)) is not None]
-    ends = [*starts[1:], len(low)]
-    return [low[a:b] for a, b in zip(starts, ends)] if len(starts) == len(features) else [low] * len(features)

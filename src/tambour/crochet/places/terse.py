@@ -30,8 +30,8 @@ _COVERS: Final = re.compile(
 """A part and the rounds that it covers: "Each ear covers rounds 4 through 8"."""
 _RUNS: Final = re.compile(
     r"^\W*(?:(?:the|these|those|all|both|three|four|five|six|two|\d+|your|then|finally|next|remaining|other)\s+)*(?P<name>(?:[^\W\d_]+\s+){0,2}?[^\W\d_]+)\s+"
-    r"(?:should\s+|will\s+|must\s+|can\s+|all\s+|then\s+)*(?:run|go|continue|carry on|follow|march|trail|climb|line up|sit|stand|belong|are|is|come|get lined up|form a (?:line|row)|make a (?:line|row))(?:es|s)?\s+"
-    r"(?P<place>(?:(?:all (?:the way )?|right |straight |evenly |in a (?:straight )?(?:line|row) )*)(?:down|along|up|over|across|on|onto|at|to|from|around|behind|in the middle|next to|below|above|under)\b.*)"
+    r"(?:should\s+|will\s+|must\s+|can\s+|all\s+|then\s+)*(?:(?:is|are) (?:laid|placed|draped|hung|spread)|run|go|continue|carry on|follow|march|trail|climb|line up|sit|stand|belong|are|is|come|get lined up|form a (?:line|row)|make a (?:line|row))(?:es|s)?\s+"
+    r"(?P<place>(?:(?:all (?:the way )?|right |straight |evenly |high |low |well |up |in a (?:straight )?(?:line|row) )*)(?:down|along|up|over|across|on|onto|at|to|from|around|behind|in the middle|next to|below|above|under)\b.*)"
 )
 """A part, or a row of it, and where it lies: "The small spikes run down the tail"."""
 _GIVE: Final = re.compile(
@@ -43,7 +43,7 @@ _SIDES: Final = (
     r"(?:front|back|top|bottom|middle|cent(?:er|re)|sides?|crown|base|rear|belly|tummy|chest|underside|underneath)"
 )
 _AT: Final = re.compile(
-    rf"^\s*(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|(?:left|right)(?: and (?:the )?(?:left|right))? (?:from|of|side)|(?:just|right|directly|straight) (?:behind|below|above|under|over|at|on|next)|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|top|bottom|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
+    rf"^\s*(?:(?:high|low|far|well)\s+(?:up\s+|down\s+)?)?(?:{_ROUND}|(?:on|at|to|from|between|over|either|both|each|one|(?:left|right)(?: and (?:the )?(?:left|right))? (?:from|of|side)|(?:just|right|directly|straight) (?:behind|below|above|under|over|at|on|next)|in|into|under|below|behind|beside|above|along|around|across|centred|centered|evenly|spread|spaced|{_SIDES}(?=\s*,|\s*$|\s*\.|\s+(?:middle|top|bottom|front|back|on|of|at)\b)|\d+\s+(?:sts?|stitch\w*|rnds?|rounds?)\s+(?:apart|from|below|above|down|up|either|on|between))\b)"
 )
 _MANY: Final = re.compile(
     rf"^\s*(?:the\s+)?{QUANTITY}\s+(?:[a-z]+\s+){{0,2}}?(?:on|at|to|onto|around|over|between|along|down|in the middle)\b(?!\s+(?:each|both|either)).*[,;]|^\s*(?:the\s+)?{QUANTITY}\s.*\band\s+(?:the\s+)?(?:{QUANTITY}|rest|others)\b"
@@ -143,7 +143,7 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         _WORKS.search(low[at:]) or not (set(words) & known or kind_of(words[-1]) or face.motifs(low[:at]))
     ):
         return None  # "Ears: Rnd 1: 6 sc in magic ring"
-    if words[-1] == "eye" and _AT.match(low[at:]):
+    if words[-1] == "eye" and not {"from", "measure", "count"} & {*led["name"].split()} and _AT.match(low[at:]):
         return at, " place"
     if face.motifs(led["name"]) and not set(words) & known and where(low[at:]).rounds is not None:
         return at, " embroider"  # "Cheeks - pink, R11"

@@ -38,7 +38,7 @@ _JOINS: Final = re.compile(
     r"\b(?:openings?|edges?|match|sew|whip ?stitch|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
 )
 _OPENED: Final = re.compile(
-    rf"(?:^|[.!?:]\s+)(?:now|next|then|finally|first(?: of all)?|last(?:ly)?|(?:let's |we )?(?:start|begin|continue|go on|finish) with)\s*,?\s+(?:for\s+)?{_NAME}\s*(?=[.,:!])",
+    rf"(?:^|[.!?:]\s+)(?:now|next|then|finally|first(?: of all)?|last(?:ly)?|(?:let's |we )?(?:start|begin|continue|go on|finish) with)\s*,?\s+(?:for\s+)?{_NAME}\s*(?=[.,:!])|(?:^|[.!?:]\s+){_NAME}\s+(?:come(?:s)?\s+)?(?:first|next|last|now|then)\s*[.,!]",
     re.IGNORECASE | re.MULTILINE,
 )
 """A sentence that says no more than what comes now: "First the belly."."""
@@ -62,7 +62,11 @@ _BARE: Final = re.compile(
     rf"(?=(?:low|high|up|flat|over|on|at|to|in|between|under|below|above|along|around|behind|beside|just|right|halfway|down|{ROUND})\b)"
 )
 """A sentence without the part that it is about: "goes low on the front of the head"."""
-_HANGS: Final = r"\s+(?:should\s+|must\s+|will\s+)?(?:hangs?|sits?|stands?|starts?|begins?|grows?|lies?|rests?|belongs?|comes?)\s+(?:out\s+)?(?=(?:from|on|at|in|over|along|between|below|above|under|beside|directly|just|right)\b)"
+_ROUND_IT: Final = re.compile(
+    r"^\W*(?:(?:now|then|and)\s+)?(?:sew|whip ?stitch|stitch)\s+(?:all\s+)?(?:the\s+way\s+)?(?:around|round)\b(?!.*\b(?:to|onto|on)\b)[^;]*$"
+)
+"""How it is sewn where it was put: "Now sew around each leg twice"."""
+_HANGS: Final = r"\s+(?:should\s+|must\s+|will\s+)?(?:go(?:es)?|hangs?|sits?|stands?|starts?|begins?|grows?|lies?|rests?|belongs?|comes?)\s+(?:out\s+)?(?=(?:from|on|at|in|over|along|between|below|above|under|beside|directly|just|right)\b)"
 _REACHES: Final = re.compile(
     r",?\s*\b(?:and\s+|so\s+(?:that\s+)?)?(?:the|its|his|her|their)\s+(?:[a-z]+\s+)?(?:paws?|feet|foot|toes|legs?|hooves|tips?)\s+(?:stand|rest|sit|lie|reach|touch)(?:s|es)?\s+(?:flat\s+)?(?:on\s+)?the\s+(?:table|ground|floor)\b[^.;]*"
 )
@@ -82,14 +86,39 @@ _STROKES: Final = re.compile(
 """What something is drawn with, whose name stands before the sentence: "Smile: … make one long stitch"."""
 
 
+_BREAK: Final = re.compile(r"[.!?:][\s\"”)*]*$")
+_LINE: Final = 32  # letters of a line that a page's edge breaks, or more
+_PAIRS: Final = re.compile(
+    r"(?:\bthe\s+|^\W*)(?P<one>front|first|hind|back|rear)\s+(?:two|pair|ones?)\b(?P<a>.*?)[,;]?\s+(?:and\s+)?the\s+(?P<two>front|second|hind|back|rear)\s+(?:two|pair|ones?)\b(?P<b>.*)",
+    re.DOTALL,
+)
+"""Four of a part, told as two pairs: "the hind pair between Rd 8 and Rd 15, the front pair between Rd 17 and Rd 24"."""
+_OVER_ROUNDS: Final = re.compile(rf"\b{ROUND}\s?\.?\s*(\d+)(?:\s*(?:to|and|-|–)\s*(?:{ROUND}\s?\.?\s*)?(\d+))?")
+_THEY_GO: Final = re.compile(r"^\W*(?:they|these|both)\s+(?=(?:go|sit|belong|are placed)\b)")
+
+
+def _starts(text: str, begin: int) -> int:
+    """Where the paragraph begins that the page's edge broke into lines, the last of which holds ``begin``: a line goes on that ends in mid-sentence."""
+    line = text.rfind("\n", 0, begin) + 1
+    while line:
+        above = text.rfind("\n", 0, line - 1) + 1
+        said = text[above : line - 1]
+        if len(said.strip()) < _LINE or _BREAK.search(said) or _LABEL.match(text, line):
+            break
+        line = above
+    return line
+
+
 def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
     """A sentence, at ``begin`` of a text, with the part that its paragraph is about where it leaves it out; as it is otherwise."""
-    line = text.rfind("\n", 0, begin) + 1
+    line = _starts(text, begin)
     block = text.rfind("\n\n", 0, begin) + 2 if "\n\n" in text[:begin] else 0
     two = _JOINING.match(text, block)
     if two is not None and (one_ := _part(two[1], names)) and (other := _part(two[2], names)):
         joined = begin <= two.end() or _THROUGH.search(words.lower()) or _JOINS.search(words.lower())
         return f"sew the {_called(other)} to the {_called(one_)}" if joined else words
+    if (they := _THEY_GO.match(words.lower())) is not None and re.search(r"\beyes\b", text[line:begin].lower()):
+        return f"the eyes {words[they.end() :]}"
     words = _SCATTERED.sub(r"\1", _FACING.sub("", words))
     if (set_ := _SET.match(words.lower())) is not None:
         return f"place {set_[1]} {_SO.sub('', words[set_.end() :])}"
@@ -116,13 +145,13 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
 
 def topic(text: str, begin: int, names: tuple[str, ...]) -> str:
     """The part of ``names`` that the paragraph at ``begin`` of a text is about there; "" where it says none."""
-    line = text.rfind("\n", 0, begin) + 1
+    line = _starts(text, begin)
     said = ""
     label = _LABEL.match(text, line)
     if label is not None and label.start(1) <= begin:
         said = label[1]
     for m in _OPENED.finditer(text, line, begin):
-        said = m[1] if _part(m[1], names) else said
+        said = (m[1] or m[2]) if _part(m[1] or m[2], names) else said
     return _part(said, names) if said else ""
 
 
@@ -146,10 +175,17 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
     part = Made(name, 1)
     called = _called(name)
     made = low
-    if (edge := _EDGE.search(made)) is not None and _own(edge, part, made, names):
+    pairs = _PAIRS.search(made)
+    rounds = [_OVER_ROUNDS.search(pairs[k]) for k in ("a", "b")] if pairs is not None else []
+    if pairs is not None and all(rounds):
+        some = [f"over rounds {m[1]} to {m[2] or m[1]}" for m in rounds if m is not None]
+        made = f"sew the {pairs['one']} {called} {some[0]}, and sew the {pairs['two']} {called} {some[1]}"
+    elif (edge := _EDGE.search(made)) is not None and _own(edge, part, made, names):
         made = f"{made[: edge.start()]}sew the {called}{made[edge.end() :]}"
     elif (laid := _LAID.search(made)) is not None:
         made = f"{made[: laid.start()]}sew the {called}{laid['flat'] or ''}{made[laid.end() :]}"
+    elif _ROUND_IT.match(made):
+        made = f"sew the {called}"
     elif (bare := _BARE.match(made)) is not None:
         made = f"sew the {called} {made[bare.end() :]}"
     elif (it := _IT.search(made)) is not None and not mentions(
@@ -159,7 +195,9 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
     else:
         noun = part.words[-1] if part.words else ""
         hangs = (
-            re.match(rf"^\W*(?:(?:the|these|each)\s+)?(?:they|it|{re.escape(noun)}s?)?{_HANGS}", made) if noun else None
+            re.match(rf"^\W*(?:(?:the|these|each)\s+)?(?:they|it|these|{re.escape(noun)}s?)?{_HANGS}", made)
+            if noun
+            else None
         )
         if hangs is not None:
             made = f"sew the {called} {made[hangs.end() :]}"

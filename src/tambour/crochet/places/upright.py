@@ -18,12 +18,12 @@ _TOP: Final = re.compile(
 )
 _REAR: Final = re.compile(
     r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?"
-    r"(?:rear|back|hind|tail|bum|bottom) end\b(?! of)|\b(?:beg(?:in(?:ning)?)?|start(?:ing)?)\.?\s+(?:at|from)\s+(?:the\s+)?(?:rear|rump|tail|bum)\b"
+    r"(?:bottom,?\s+(?:or\s+|at\s+)?(?:the\s+)?)?(?:rear|back|hind|tail|bum|bottom) end\b(?! of)|\b(?:beg(?:in(?:ning)?)?|start(?:ing)?)\.?\s+(?:at|from)\s+(?:the\s+)?(?:rear|rump|tail|bum)\b"
 )
 """What lies and begins so has its end ahead."""
 _SEAT: Final = re.compile(
     r"\b(?:beg(?:ins?|in(?:ning)?)?|starts?|starting|work(?:ed|ing)?)\.?\s+(?:at|from|with|under|underneath|beneath|in)\s+(?:the\s+|her\s+|his\s+|its\s+)?(?:very\s+)?(?:(?:middle|cent(?:er|re))\s+of\s+the\s+)?(?:bottom|base|seat|floor)\b"
-    r"(?! (?:end|of (?:the )?(?:head|leg)))"
+    r"(?! (?:end|of (?:the )?(?:head|leg)))(?!,? (?:at |or )?(?:the |his |her |its )?(?:tail|rear|hind|back)\b)"
 )
 """A body that begins so stands on it, or sits, though it has four legs."""
 _SITS: Final = re.compile(

@@ -26,7 +26,7 @@ from tambour.crochet.printed.sheet.changes import changes
 from tambour.crochet.printed.sheet.columns import columned
 from tambour.crochet.printed.sheet.inlines import inlined
 from tambour.crochet.printed.sheet.leaves import leaves
-from tambour.crochet.printed.sheet.legend import explained
+from tambour.crochet.printed.sheet.legend import aligned, explained
 from tambour.crochet.printed.sheet.lumps import unlumped
 from tambour.crochet.printed.sheet.notes import Heading
 from tambour.crochet.printed.sheet.numerals import numerals
@@ -170,6 +170,7 @@ class State:
         if not TERMS[self.language.code].prints(source.text.text):
             self.rows = unlumped(pages(source.text.text, self.rows, self.vocabulary), self.vocabulary)
             source.each, source.in_one = numbered_each(source.text.text), in_one(source.text.text)
+        self.rows = aligned(source.text.text, self.rows)
         explained(self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(source.text.text):
             called = TERMS[self.language.code].words["round"][0].lower()

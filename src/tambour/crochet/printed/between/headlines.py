@@ -7,6 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.between.opening import founds
 from tambour.crochet.printed.cursor import Cursor
@@ -256,6 +257,17 @@ def dyed_first(p: State, tokens: list[Token]) -> int:
     hue = p.palette.color(Cursor(tokens, 1)) or p.palette.letter(Cursor(tokens, 1), 1)
     handed = bool(rest) and (rest[0].value in ("stuff", "eyes", "marker", "close") or by_hand(rest))
     return cut if handed and hue is not None and 1 + hue[1] == cut else 0
+
+
+def dyed_lead(p: State, tokens: list[Token]) -> int:
+    """Where the yarn ends that a part's first sentence begins with, "Oatmeal, starting at the nose", and that is put before its rounds; 0 where
+    none does."""
+    hue = p.palette.color(Cursor(tokens)) if p.heading is not None and p.mode == "" else None
+    if hue is None or len(tokens) < hue[1] + 2 or tokens[hue[1]].word != "," or tokens[hue[1] + 1].value != "begin":
+        return 0
+    span = Span(tokens[0].start, tokens[hue[1] - 1].end)
+    p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))
+    return hue[1] + 1
 
 
 def dyed_last(p: State, tokens: list[Token]) -> int:

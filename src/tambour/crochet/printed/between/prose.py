@@ -109,6 +109,8 @@ _FOUNDED: Final = re.compile(
     r"(?:base|foundation|start|set[ -]up|(?:base|foundation|starting) chain)[ \t]*:[ \t]*(?:ch|chain)\b", re.IGNORECASE
 )
 """What a chain is called, in its own line, that a part begins with: below the part's own name it is no other part."""
+_END_OF: Final = re.compile(r"(?:end|tip|top|bottom|middle|centre|center|front|back) of (?:the )?\w+$")
+"""Where a part begins, which is none itself."""
 _JOININGS: Final = frozenset(("joining", "join", "assembling"))
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
@@ -255,6 +257,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         for left in lefts:
             left_over(p, left)
         return
+    if found is not None and p.heading is not None and p.heading.strong and _END_OF.match(found.name.lower()):
+        p.passed.append(whole)  # "You begin with the end of the trunk", under "HEAD WITH TRUNK"
+        return
     under = found is not None and over(p.heading, found) != "" and p.heading is not None and p.heading.strong
     apart = p.row_at > 0 and not p.rows[p.row_at - 1].tokens
     heads = apart and p.title is not None and founds(p, near=2)  # "Pot", "In Copper." and its rounds end a list
@@ -335,10 +340,11 @@ def _begun_below(p: State) -> bool:
 
 def _rounds_below(p: State) -> bool:
     """Whether a first round stands right below, and no first step of the assembly: "Face and body:", "1. 6 sc in MR"."""
-    row = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
-    found = p.vocabulary.heads(row.tokens) if row is not None else []
-    if row is None or not found or found[0][1].numbers[:1] != (1,):
+    some = [row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens][:2]  # below its yarn, or right below
+    row = next((row for row in some if (h := p.vocabulary.heads(row.tokens)) and h[0][1].numbers[:1] == (1,)), None)
+    if row is None:
         return False
+    found = p.vocabulary.heads(row.tokens)
     return found[0][1].strong or rounds(p.vocabulary.read(row.tokens)[found[0][1].end :], True)
 
 

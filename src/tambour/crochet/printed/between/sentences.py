@@ -25,7 +25,7 @@ from tambour.crochet.printed.between.beyond import (
     twin_made,
 )
 from tambour.crochet.printed.between.conventions import convention, turned_always
-from tambour.crochet.printed.between.headlines import dyed_first, dyed_last, dyed_only
+from tambour.crochet.printed.between.headlines import dyed_first, dyed_last, dyed_lead, dyed_only
 from tambour.crochet.printed.between.opening import as_chain, founding, founds, opening
 from tambour.crochet.printed.between.put import beside_the_point, finishing, stuffed
 from tambour.crochet.printed.between.remarks import chosen, remark
@@ -163,6 +163,8 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         if rest and not sentence_read(p, rest):
             left_over(p, rest)
         return dyed
+    if cut := dyed_lead(p, tokens):
+        return sentence_read(p, tokens[cut:]) or True
     if cut := dyed_last(p, tokens):
         return sentence_read(p, tokens[cut:])
     if p.language.code in ("us", "uk") and turned_always(p.source.text.text, tokens):

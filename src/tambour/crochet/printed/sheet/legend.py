@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.printed.tokens import Row, Token
@@ -12,13 +13,34 @@ from tambour.crochet.printed.wordings.vocabulary import Vocabulary
 _LOOKED_AT: Final = 150  # lines
 _SIGNS: Final = ("=", "-", ":")
 _PARTS: Final = (",", ";", "|", "•", "·")
+_LONGEST, _GAP, _LINES = 6, 2, 4
+"""A list whose words stand above each other has so many lines, words of no more letters, and so many spaces behind them."""
 _SHORT: Final = 5  # letters of a word that stands for another
 _KEYS: Final = frozenset(("ring", "stitch", "round", "hook", "back loops", "front loops"))
 _SHAPED: Final = re.compile(
-    r"(?:work )?(?P<into>[23]) (?:(?:sc|x) )?(?:in|into) (?:1|one|(?:1|one|the same|same) (?:st|stitch)|same|the same)|(?P<of>[23]) (?:(?:sc|x|sts?|stitch|stitches) )?(?:tog|together)"
+    r"(?:work )?(?P<into>[23]) (?:[a-z]{1,6} )?(?:in|into) (?:1|one|(?:1|one|the same|same) (?:st|stitch)|same|the same)|(?P<of>[23]) (?:[a-z]{1,8} )?(?:tog|together)"
 )
 """What an increase or a decrease is, in figures: "V = 2 in 1", "A = 2 stitches together"."""
 _MOST: Final = 7  # words that say what one means
+
+
+def aligned(text: str, rows: list[Row]) -> list[Row]:
+    """``rows`` with a sign between the short words of a list and what they mean, where only a column's gap parts them: "lp     loop stitch"."""
+    columns: dict[int, list[int]] = {}
+    for k, row in enumerate(rows[:_LOOKED_AT]):
+        if len(row.tokens) < 2 or not (row.tokens[0].word.isalpha() and 1 < len(row.tokens[0].word) <= _LONGEST):
+            continue
+        name, said = row.tokens[0], row.tokens[1]
+        gap = text[name.end : said.start]
+        if len(gap) >= _GAP and not gap.strip() and said.kind != "mark":
+            columns.setdefault(said.start - text.rfind("\n", 0, said.start), []).append(k)
+    found = {k for some in columns.values() if len(some) >= _LINES for k in some}
+    return [
+        replace(row, tokens=[row.tokens[0], Token("mark", "=", row.tokens[0].end, row.tokens[0].end), *row.tokens[1:]])
+        if k in found
+        else row
+        for k, row in enumerate(rows)
+    ]
 
 
 def explained(rows: list[Row], vocabulary: Vocabulary) -> None:

@@ -24,6 +24,7 @@ _MR: Final = "mc|mr|magic ring|magic circle|magic loop"
 SAID: Final = (
     (rf"^(?:gather|dial|cast(?: on)?|set|collect|pick up|make a set of) (?:a chain of )?(\d+) (?:{CHAINS})(?= ?[.,;]| ?$)", "ch {1}"),
     (rf"^((?:light |dark |pale )?(?:{HUE}))(?: yarn)? ,(?= (?:in )?(?:turning |flat )?rows(?!\S))", "with {1} yarn ."),
+    (rf"(?:take|pick) up (?:the )?((?:light |dark |pale )?(?:{HUE}))(?: yarn)?(?= ?[.,;]| ?$| and\b)", "change to {1}"),
     # minis
     (rf"(\d+ (?:{_KIND})(?: in (?:the )?next(?: \d+)? (?:sts?|stitch|stitches))?) then(?= \d+ (?:{_KIND}) in )", "{1} ,"),
     (rf"(\d+ (?:{_KIND})(?: in (?:the )?next(?: \d+)? (?:sts?|stitch|stitches))?) then 2 ?tog(?= ?[(\[=.]| ?$)", "{1} , dec"),
