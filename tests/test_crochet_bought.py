@@ -11,6 +11,7 @@ from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.maker import sure
 from tambour.crochet.page.among import with_hers
+from tambour.crochet.page.answered import _BEGUN
 from tambour.crochet.page.assembly import _sentences
 from tambour.crochet.page.book import Book
 from tambour.crochet.page.care import care
@@ -251,6 +252,21 @@ def test_rounds_that_go_on_below_another_part_stand_there_once() -> None:
     of = book(text)
     rows = [str(row) for block in of.said.blocks for row in with_hers(of, block)]
     assert sum("Rnd 9" in row for row in rows) == 1, rows
+
+
+def test_signs_of_her_legend_are_words_of_rounds() -> None:
+    text = "EAR\nX = single crochet\nV = 2X in the same stitch\n\nEAR (grey)\nFrom the tip to the base.\nR1: 6X in magic ring\nR2: 6V (12)\nR3: 12X (12)\nChange to white:\nR4: (1X, V)*6 (18)\n"
+    rows = [
+        str(row)
+        for row in _explained(book(text), book(text).said.blocks[-1], with_hers(book(text), book(text).said.blocks[-1]))
+    ]
+    assert "Rnd 2: 6 inc (12)" in rows and "Rnd 4: [sc, inc] x 6 (18)" in rows, rows  # they stood beside "12 sc"
+    assert not any(":," in row for row in rows)
+
+
+def test_where_a_part_is_begun_is_said_once() -> None:
+    assert _BEGUN.search("From the bottom to the neck.") and _BEGUN.search("Begin in the middle of the floor.")
+    assert not _BEGUN.search("Work with the second yarn.")
 
 
 def test_messages_point_at_what_they_are_about_and_their_hints_fit() -> None:

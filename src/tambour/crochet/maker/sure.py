@@ -48,6 +48,9 @@ _BESIDE: Final = re.compile(
     r"\b(?:just|right|directly|\w+ (?:sts?|stitch(?:es)?|loops?|rounds?|rnds?|rows?)) (?:above|below|beside|behind|under|over|from|off)\b(?! (?:the )?(?:middle|center|centre|front|back|top))"
     r"|\b(?:above|below|beside|along|next to|touching) the (?:[a-z]+ ){0,2}(?:edge|frame|border|belly|patch|bib|seam|stripe)\b"
 )
+_AT_BACK: Final = re.compile(
+    r"\bstitch\b[^.;]{0,40}\bmiddle of\b[^.;]{0,20}\bback\b|\brounds? begins?\b[^.;]{0,40}\bback\b", re.IGNORECASE
+)
 _STROKES: Final = re.compile(
     r"\b(?:\d+|one|two|three|four|five|a) (?:[a-z]+ ){0,3}?(?:short|long|straight|small|little|tiny)(?: [a-z]+){0,2} (?:stitch(?:es)?|sts?|lines?|strokes?)\b"
 )
@@ -66,6 +69,11 @@ def paragraph(text: str, start: int, end: int, more: int = 0) -> str:
     line = text[start : stop if stop >= 0 else len(text)].lower()
     ends = [m.end() for m in re.finditer(r"[.!?](?=\s|$)", line) if m.end() >= end - start]
     return line[: ends[more]] if len(ends) > more else line
+
+
+def begins_at_back(text: str) -> bool:
+    """Whether she has rounds begin on a back: what is underneath is not where they begin."""
+    return _AT_BACK.search(text) is not None
 
 
 def of_stitches(words: str) -> bool:

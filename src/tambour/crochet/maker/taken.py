@@ -470,7 +470,8 @@ class Taken:
         if off <= 1.0:
             return self.own["on top" if lies else "in front"]
         if off >= count / 2 - 1.0:
-            return self.own["took under" if lies else "behind"]
+            plain_ = lies and sure.begins_at_back(self.built.pattern.text.text)
+            return self.own["underneath" if plain_ else "took under" if lies else "behind"]
         if abs(off - count / 4) <= _SIDE * count:
             side = "" if self.own["at side"].split()[-1] in self.words(record).lower() else self.own["at side"]
             said = self.from_middle(record.spot.part, [off], count)

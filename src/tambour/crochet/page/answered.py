@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from tambour.crochet.page.book import Book
 
 _BEGUN: Final = re.compile(
-    r"\b(?:begin|start|work)\w*\b[^.\n]{0,25}\b(?:at|from)\b[^.\n]{0,25}\b(?:top|bottom|nose|snout|muzzle|crown|base|neck|front|back|tip|tail)\b",
+    r"\b(?:begin|start|work)\w*\b[^.\n]{0,25}\b(?:at|from|in|with|under)\b[^.\n]{0,25}\b(?:top|bottom|nose|snout|muzzle|crown|base|neck|front|back|tip|tail|floor|foot|feet|toes?|sole|underneath|ground)\b"
+    r"|\bfrom (?:the )?(?:top|bottom|nose|crown|neck|tip|base)\b[^.\n]{0,20}\b(?:to|up|down)\b",
     re.IGNORECASE,
 )
 """How she says where a part is begun: "Begin at bottom.", "starting from the nose"."""

@@ -90,7 +90,8 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
 def _not_drawn(book: Book, beside: set[int]) -> list[Chunk]:
     """Which of a designer's parts stand in no picture, since nothing says where they go."""
     built = book.piece.built
-    names = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in sorted(beside))
+    made = [k for k in sorted(beside) if built.graph.parts[k].end - built.graph.parts[k].start > 2]
+    names = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in made)
     if book.hers is None or not any(names):
         return []
     said = book.called(book.own["not drawn"].format(parts=", ".join(name for name in names if name)))

@@ -138,6 +138,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
         a for a, _, line in lines if a >= done and heads(cleaned(line)) and "(" not in line
     ]  # "BUILDING YOUR COTTAGE"
     after = made.assembly = min((a for a in (*assembles, *begun) if a > last), default=min(other, default=len(text)))
+    assembles += other
     finishing = {_span(record) for record in pattern.finish}
     worked = [r for r in pattern.finish if isinstance(r, Eye) or (isinstance(r, Placed) and r.through)]
     stepped = [record for record in pattern.finish if record not in worked]
@@ -265,7 +266,8 @@ class _Steps:
                     self.waiting.clear()
                 continue
             named = self.topics(words)
-            same = named == about if named >= 0 else alone or _MORE_OF.match(words) is not None
+            more = alone or (before is None and about >= 0) or _MORE_OF.match(words) is not None
+            same = named == about if named >= 0 else more
             before = before if same else None
             about = named if named >= 0 else about if same else -1
             if before is not None:

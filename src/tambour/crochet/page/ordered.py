@@ -47,11 +47,19 @@ _AT_END: Final = re.compile(
 )
 """A count of several rounds: "24 sc at end of 3rd rnd"."""
 _BOTH_COUNTED: Final = re.compile(r"\d+ \w+,? (?:and|&|,) \d+ ch\b", re.IGNORECASE)
+_LEGEND: Final = re.compile(r"(?:^|[,;|])[ \t]*([A-Z]{1,2})[ \t]*=", re.MULTILINE)
+_COUNTED: Final = re.compile(r"\d*([A-Z]{1,2})")
 _END: Final = re.compile(r"[.!?](?=\s|$)|(?=\n)|$")
 _BEGIN: Final = re.compile(r"(?:[.!?:;)]\s+|\n\s*|^)(?=\S)")
 _MAKES: Final = re.compile(
     r"\d|\b(?:sc|dc|hdc|tr|ch|st|sts|stitch|stitches|inc|dec|sl|join|turn|chain|crochet)\b", re.IGNORECASE
 )
+
+
+@lru_cache(maxsize=8)
+def _signs(text: str) -> frozenset[str]:
+    """The capital letters that a text's own legend says the meaning of: "X = single crochet"."""
+    return frozenset(_LEGEND.findall(text))
 
 
 @lru_cache(maxsize=8)
@@ -231,6 +239,7 @@ def _plain(pattern: Pattern, span: Span, lines: list[Line], told: frozenset[Span
         or _NUMBER.fullmatch(w.lower())
         or _TOGETHER.fullmatch(w.lower())
         or w.lower() in pattern.stitches
+        or ((sign := _COUNTED.fullmatch(w)) is not None and sign[1] in _signs(text) and sign[1] not in pattern.letters)
         for w in _WORD.findall(words)
     )
 

@@ -176,7 +176,7 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
         elif row.hers and not (row.colors and not row.label and len(words.split()) <= _SAYS_COLOR):
             pass  # in her own words
         elif not row.label and row.colors and begun:
-            words = f"{own['in last loop'].format(change=words.rstrip('.'))}."
+            words = f"{own['in last loop'].format(change=words.rstrip('.:'))}."
         elif row.label and not begun and 2 <= chain <= 9:
             words = own["from chain"].format(n=own["chain places"].split(",")[chain - 1], items=words)
         elif not row.label and not begun and chain:
