@@ -269,6 +269,20 @@ def test_where_a_part_is_begun_is_said_once() -> None:
     assert not _BEGUN.search("Work with the second yarn.")
 
 
+def test_what_her_list_of_abbreviations_instructs_besides_is_no_abbreviation() -> None:
+    text = FISH.replace(
+        "sc = single crochet\n",
+        "sc = single crochet\nMark the first stitch of every round.\n\nGOOD TO KNOW\nLeave a long tail on everything you fasten off.\n",
+    )
+    mine = book(text).hers
+    assert mine is not None and mine.listed == ["sc = single crochet"]
+    assert mine.intro[-3:] == [
+        "Mark the first stitch of every round.",
+        "GOOD TO KNOW",
+        "Leave a long tail on everything you fasten off.",
+    ]
+
+
 def test_messages_point_at_what_they_are_about_and_their_hints_fit() -> None:
     text = FISH.replace("3. Tail: it goes", "3. Sew the tail where it belongs. It goes")
     told = [p for p in read(Text(text, "fish.txt")).warnings if "sewn to" in (p.hint or "")]

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from tambour.crochet.language.tree import Pattern
-from tambour.crochet.page.cleaned import AD, BULLET, FOOT, LETTER, ORNAMENT, cleaned, plain_of, sentences, titled
+from tambour.crochet.page.cleaned import AD, BULLET, FOOT, LETTER, ORNAMENT, cleaned, heads, plain_of, sentences, titled
 from tambour.crochet.words.table import Terms
 
 if TYPE_CHECKING:
@@ -120,6 +120,12 @@ def before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, in
             mode = "materials" if head in _NEEDED or head in spoken["materials"] else mode
         elif not mode and a in lists:
             mode = "materials"
+        elif mode and gap and heads(words := cleaned(line, text)):
+            mode = ""  # "GOOD TO KNOW"
+            made.intro.append(words)
+        elif mode == "terms" and sentence and not _SIGN.match(line) and not _TERM.search(BULLET.sub("", line)):
+            made.intro.append(cleaned(line, text))  # "Mark the first stitch." among them
+            continue
         elif mode and (not (gap and sentence) or (mode == "materials" and _stated(pattern, a, b))):
             if mode == "materials":
                 made.materials.append(ORNAMENT.sub("", " ".join(BULLET.sub("", line).split())))
