@@ -14,6 +14,7 @@ from tambour.crochet.page.among import with_hers
 from tambour.crochet.page.answered import _BEGUN
 from tambour.crochet.page.assembly import _sentences
 from tambour.crochet.page.book import Book
+from tambour.crochet.page.booklet import _cover
 from tambour.crochet.page.care import care
 from tambour.crochet.page.chart import charts as laid_out
 from tambour.crochet.page.charted import helps, shows
@@ -281,6 +282,16 @@ def test_what_her_list_of_abbreviations_instructs_besides_is_no_abbreviation() -
         "GOOD TO KNOW",
         "Leave a long tail on everything you fasten off.",
     ]
+
+
+def test_the_cover_says_her_size_though_she_says_more_of_it() -> None:
+    text = FISH.replace("GAUGE AND SIZE\n", "SIZE AND GAUGE\nHe lies on the shelf all day, in the sun. ").replace(
+        "long.", "long, without the bubbles. If you see stuffing, take a smaller hook."
+    )
+    of = book(text)
+    _cover(of)
+    words = [label.text for label in of.pages[0].labels]
+    assert "about 9 cm (3.5 in) long" in " ".join(words)
 
 
 def test_messages_point_at_what_they_are_about_and_their_hints_fit() -> None:

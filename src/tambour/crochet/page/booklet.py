@@ -116,6 +116,8 @@ def _cover(book: Book) -> None:
     )
     of = whole_.extent[2] if long else whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2])
     hers = _ASIDE.sub("", " ".join(book.sized.split()))
+    if len(wrap(hers, LEAD, room / 3 - 4.0, True)) > 2 and book.hers is not None:
+        hers = book.hers.size  # of all that she says of it
     if hers and len(wrap(hers, LEAD, room / 3 - 4.0, True)) <= 2:
         facts = [(book.said.terms.word("finished size"), hers)]  # what she says is what a buyer will hold her to
     else:
