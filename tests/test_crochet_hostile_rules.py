@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from crochet_read import counts, pattern
+from crochet_read import counts, pattern, unread
 from tambour.crochet.graph.build import build
+from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.choose import account
 
@@ -145,3 +146,145 @@ def test_loops_that_a_sentence_behind_the_stitches_names_are_worked_into() -> No
         True,
         False,
     ]
+
+
+_BEAR = (
+    "BEAR\n\n{intro}\n\nHEAD (brown)\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: (1 sc, inc) x 6 (18)\nR4: (2 sc, inc) x 6 (24)\n"
+    "R5-11: sc around (24)\nR12: (2 sc, dec) x 6 (18)\nStuff. Fasten off.\n\n"
+    "BODY (brown)\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: (1 sc, inc) x 6 (18)\nR4: (2 sc, inc) x 6 (24)\nR5-{long}: sc around (24)\n"
+    "Next round: (2 sc, dec) x 6 (18)\nStuff. Fasten off.\n\n"
+    "ARMS (make 2, brown)\nR1: 6 sc in magic ring (6)\nR2-9: sc around (6)\nFasten off.\n\n"
+    "LEGS (make {legs}, brown)\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3-8: sc around (12)\nFasten off.\n\n"
+    "EARS (make 2, brown)\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nFasten off.\n\n"
+    "TAIL (brown)\nR1: 6 sc in magic ring (6)\nR2: sc around (6)\nFasten off.\n\n"
+    "HAT (red)\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: sc around (12)\nFasten off.\n\n"
+    "FLOWER (white)\nR1: 5 sc in magic ring (5)\nFasten off.\n\n"
+    "SPOTS (make 3, white)\nR1: 6 sc in magic ring (6)\nFasten off.\n\nASSEMBLY\n\n{how}\n"
+)
+
+
+def _bear(how: str, intro: str = "", legs: int = 2, long: int = 14) -> str:
+    return _BEAR.format(how=how, intro=intro, legs=legs, long=long)
+
+
+def _placed(words: str) -> dict[str, Placed]:
+    return {r.part: r for r in pattern(words).finish if isinstance(r, Placed)}
+
+
+def _eyes(words: str) -> set[float]:
+    return {r.spot.round for r in pattern(words).finish if isinstance(r, Eye)}
+
+
+@pytest.mark.parametrize(
+    ("how", "part", "host", "at"),
+    [
+        ("ATTACHING ARMS AND LEGS\nSew the arms to the sides of the body at round 13.", "ARMS.1", "BODY", 13.0),
+        (
+            "ATTACHING ARMS AND LEGS\nSew the arms to the sides of the body at round 13. Sew the legs to the front of the body at round 4.",
+            "LEGS.1",
+            "BODY",
+            4.0,
+        ),
+        (
+            "ATTACHING THE HEAD TO THE BODY\nSew the head to the body. Sew the ears to the head at round 5.",
+            "EARS.1",
+            "HEAD",
+            5.0,
+        ),
+        ("Arms and legs: sew the arms to the sides of the body at round 13.", "ARMS.1", "BODY", 13.0),
+        ("Head and ears: sew the ears to the head at round 5.", "EARS.1", "HEAD", 5.0),
+        ("Arms to body: sew the arms at round 13 at each side.", "ARMS.1", "BODY", 13.0),
+        (
+            "Arms to body: sew the arms at round 13. Then sew the tail to the back of the body at round 5.",
+            "TAIL",
+            "BODY",
+            5.0,
+        ),
+    ],
+)
+def test_a_paragraph_about_two_parts_may_say_itself_what_goes_where(how: str, part: str, host: str, at: float) -> None:
+    record = _placed(_bear(how))[part]
+    assert (record.spot.part, record.spot.round) == (host, at)
+
+
+def test_a_head_is_sewn_to_its_body_under_that_heading() -> None:
+    placed = _placed(_bear("ATTACHING THE HEAD TO THE BODY\nWhipstitch the two openings together."))
+    assert placed["HEAD"].spot.part == "BODY"
+
+
+@pytest.mark.parametrize("by", ["in line with the eyes", "two rounds below the eyes", "level with the eyes"])
+def test_they_are_no_eyes_that_something_is_only_near(by: str) -> None:
+    words = _bear(
+        f"Sew the arms to the body, {by}. They go at round 12, 10 stitches apart. Put the eyes between rounds 8 and 9 of the head."
+    )
+    assert _eyes(words) == {8.5}
+
+
+_PONY = (
+    "Pony\n\nThe pony measures 15 cm tall.\n\nBODY\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: (1 sc, inc) x 6 (18)\nR4: (2 sc, inc) x 6 (24)\n"
+    "R5-20: sc around (24)\nR21: (2 sc, dec) x 6 (18)\nR22: (1 sc, dec) x 6 (12)\nStuff.\nR23: dec around (6)\nFasten off.\n\n"
+    "HEAD\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: (1 sc, inc) x 6 (18)\nR4-12: sc around (18)\nFasten off.\n\n"
+    "LEGS (make 4)\nR1: 6 sc in magic ring (6)\nR2: (1 sc, inc) x 3 (9)\nR3-9: sc around (9)\nFasten off.\n\n"
+    "EARS (make 2)\nR1: 4 sc in magic ring (4)\nR2: sc around (4)\n\nTAIL\nR1: 4 sc in magic ring (4)\nR2-8: sc around (4)\n\n"
+    "ASSEMBLY\nSew the head to the front of the body. Sew the legs to the underside of the body. Sew the tail to the rear. {how}\n"
+)
+
+
+@pytest.mark.parametrize(
+    "how", ["Sew the ears to the head, sitting high at the back.", "The tail sits 2 rounds below the end."]
+)
+def test_ears_that_sit_high_seat_no_toy(how: str) -> None:
+    body, plain = (next(p for p in pattern(_PONY.format(how=one)).parts if p.name == "BODY") for one in (how, ""))
+    assert body.up == plain.up == "side"
+
+
+def _colors(words: str) -> list[tuple[int | None, tuple[float, ...]]]:
+    lines = [line for part in pattern(words).parts for line in part.lines]
+    return [
+        (line.number, a.numbers) for line in lines for a in line.items if isinstance(a, Action) and a.name == "color"
+    ]
+
+
+def test_what_an_arrow_behind_a_round_tells_is_done() -> None:
+    words = (
+        "Ball\n\nHEAD\n1. 6 sc in magic ring (6)\n2. inc around (12)\n3. sc around (12) <- change to white\n"
+        "4. sc around (12) <-- put the eyes between rounds 2 and 3\n5. sc around (12) <- this is the neck\n6. dec around (6)\n"
+    )
+    assert [at for at, _ in _colors(words)] == [3]
+    assert _eyes(words) == {2.5}
+    assert counts(words) == [6, 12, 12, 12, 12, 6]
+
+
+def test_a_letter_between_stitches_is_no_article() -> None:
+    words = (
+        "Ball\nX = single crochet, V = increase, A = decrease\n\nHEAD\nR1: 6X (6)\nR2: 6V (12)\nR3: 6(X V) (18)\nR4: 18X (18)\n"
+        "R5: 7X A 7X A (16)\nR6: (2X A)*4 (12)\nR7: X A X A X A X A (8)\n"
+    )
+    assert counts(words) == [6, 12, 18, 18, 16, 12, 8]
+
+
+def test_a_round_that_says_all_is_worked_as_those_above_it() -> None:
+    words = "Ball\n\nHEAD\nR1: 6 hdc in magic ring (6)\nR2: inc around (12)\nR3: hdc in each st around (12)\nR4-5: all (12)\n"
+    made = [line.items[0] for line in pattern(words).parts[0].lines if line.number == 4]
+    assert isinstance(made[0], Group) and isinstance(made[0].items[0], Action) and made[0].items[0].name == "hdc"
+
+
+def test_what_is_told_of_a_part_puts_it_nowhere() -> None:
+    words = _bear("Sew the arms to the sides of the body at round 13. The arms on mine are a bit in front of the body.")
+    assert {_placed(words)[f"ARMS.{k}"].spot.round for k in (1, 2)} == {13.0}
+    told = _bear("The arms on mine are a bit in front of the body.")
+    assert "ARMS.1" not in {r.part for r in pattern(told).finish if isinstance(r, Placed) and r.span.start > 0}
+
+
+def test_a_sentence_says_more_than_where_a_hat_is_pulled() -> None:
+    words = _bear("Pull the hat over his head and sew the flower to the left side of the body at round 9.")
+    flower = _placed(words)["FLOWER"]
+    assert (flower.spot.part, flower.spot.round) == ("BODY", 9.0)
+
+
+def test_stitches_to_work_are_no_remark() -> None:
+    words = (
+        "Ball\n\nHEAD\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\n"
+        "Under the arm there are 6 sts, work sc in each of them.\nR3: sc around (12)\n"
+    )
+    assert unread(words)

@@ -73,7 +73,7 @@ _WHISKERS: Final = re.compile(
     rf"^{_LIST}whiskers?[ ,:]+(?:{QUANTITY})\s+and\s+(?:{QUANTITY})\s+(?:in|on|into)\s+", re.IGNORECASE
 )
 _LOWER: Final = re.compile(
-    rf"^{_LIST}(?P<what>(?:an?\s+|the\s+)?(?:[a-z]+\s+){{0,3}}?(?:mouth|smile))\s*,?\s+(?P<far>(?:{QUANTITY})\s+(?:rounds?|rnds?|rows?|r))\s+lower\b",
+    rf"^{_LIST}(?P<what>(?:an?\s+|the\s+)?(?:[a-z]+\s+){{0,3}}?(?:mouth|smile))\s*,?\s+(?P<far>(?:{QUANTITY})\s+(?:rounds?|rnds?|rows?|r))\s+lower\b(?!\s+than\b(?! (?:the |his |her )?nose\b))",
     re.IGNORECASE,
 )
 """A mouth so many rounds lower than the nose that was spoken of before it."""
@@ -86,6 +86,10 @@ _PULLED: Final = re.compile(
 _VERBS: Final = re.compile(
     r"^\W*(?:[a-z]\)\s*)?(?:do|don't|can|may|be|see|use|cut|leave|keep|stuff|fill|turn|make|work)\b", re.IGNORECASE
 )
+
+
+_TELLS: Final = re.compile(r"\b(?:is|are|was|were|looks?|turned|came|mine|my|ours?)\b", re.IGNORECASE)
+"""What is told of a part, and puts it nowhere: "The arms on mine are a bit crooked"."""
 
 
 def fuller(text: str, names: list[str]) -> str:
@@ -103,7 +107,7 @@ def fuller(text: str, names: list[str]) -> str:
         said = found["list"] + found["what"] + said[found.end() :]
     if (found := _OWN.match(said)) is not None and _part(found["what"], known):
         return f"{found['list']}Sew {found['what']} {_SAME.sub('', said[found.end() :])}"
-    if (found := _PULLED.match(said)) is not None:
+    if (found := _PULLED.match(said)) is not None and not VERB.search(said[found.end() :].lower()):
         return f"{found['list']}Put {found['what']} on the head"
     drawn = _drawn(said, known)
     if drawn != said:
@@ -115,6 +119,7 @@ def fuller(text: str, names: list[str]) -> str:
         or ":" in plain
         or VERB.search(plain.lower())
         or _VERBS.match(plain)
+        or _TELLS.search(plain, found.start("on"))
         or not _part(found["what"], known)
     ):
         return said

@@ -8,23 +8,24 @@ from typing import Final
 
 from tambour.crochet.places import face
 from tambour.crochet.places.habits import ROUND
+from tambour.crochet.places.hosts import LIMBS
 from tambour.crochet.places.names import Made, kind_of, mentions, one
-from tambour.crochet.places.said import VERB
+from tambour.crochet.places.said import VERB, where
 
 _POINT: Final = r"[\s*•·–—-]*(?:(?:step\s+)?(?:\d{1,2}|[a-z])\s*[.):]\s*)?"
 _NAME: Final = r"(?:the\s+|both\s+|two\s+)?((?:[^\W\d_]+[ -]+){0,2}[^\W\d_]+)"
 _LABEL: Final = re.compile(rf"{_POINT}{_NAME}\s*(?::|\s[–—-])\s", re.IGNORECASE)
 """What a paragraph begins with: "3) Side fins: …"."""
-_JOINT: Final = re.compile(rf"{_POINT}{_NAME}\s+(?:to|onto|on|and)\s+{_NAME}\s*:\s", re.IGNORECASE)
+_JOINT: Final = re.compile(rf"{_POINT}{_NAME}\s+(?P<how>to|onto|on|and)\s+{_NAME}\s*:\s", re.IGNORECASE)
 """A paragraph about two parts that are sewn to each other: "Head to body: …"."""
 _JOINING: Final = re.compile(
-    rf"{_POINT}(?:joining|attaching|sewing|assembling)\s+{_NAME}\s+(?:to|onto|on|and)\s+{_NAME}\s*:?\s*(?=\n|$)",
+    rf"{_POINT}(?:joining|attaching|sewing|assembling)\s+{_NAME}\s+(?P<how>to|onto|on|and)\s+{_NAME}\s*:?\s*(?=\n|$)",
     re.IGNORECASE,
 )
 """A heading over how two parts are sewn to each other: "JOINING CAP AND GILLS"."""
 _THROUGH: Final = re.compile(r"\b(?:through|into)\s+both\s+(?:the\s+)?(?:edges|layers|pieces|rims|parts|loops)\b")
 _SET: Final = re.compile(
-    r"^\W*(?:then\s+|now\s+|next\s+)?(?:sit|lay|lean|rest|stand|drop|lower)\s+(the\s+\w+)\s+(?=(?:on|onto|over|against|into)\s+the\b)"
+    r"^\W*(?:then\s+|now\s+|next\s+)?(?:sit|lay|lean|rest|stand|drop|lower)\s+(the\s+\w+)\s+(?=(?:on|onto|over|against|into)\s+the\s+(?!table|floor|ground|desk|lap|shelf|counter)\w)"
 )
 """What is set on another part before it is sewn: "Sit the cap on the walls so that their edges meet"."""
 _SO: Final = re.compile(r",?\s+so that\b[^.;]*")
@@ -97,6 +98,13 @@ _OVER_ROUNDS: Final = re.compile(rf"\b{ROUND}\s?\.?\s*(\d+)(?:\s*(?:to|and|-|–
 _THEY_GO: Final = re.compile(r"^\W*(?:they|these|both)\s+(?=(?:go|sit|belong|are placed)\b)")
 
 
+_EYES: Final = re.compile(
+    r"(?<!with the )(?<!below the )(?<!under the )(?<!above the )(?<!beside the )(?<!behind the )(?<!to the )(?<!from the )(?<!between the )(?<!than the )"
+    r"(?<!with )(?<!below )(?<!under )(?<!above )(?<!beside )(?<!behind )(?<!to )(?<!from )(?<!between )(?<!than )\beyes\b"
+)
+"""Eyes that are spoken of, and that nothing is only near."""
+
+
 def _starts(text: str, begin: int) -> int:
     """Where the paragraph begins that the page's edge broke into lines, the last of which holds ``begin``: a line goes on that ends in mid-sentence."""
     line = text.rfind("\n", 0, begin) + 1
@@ -114,17 +122,23 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
     line = _starts(text, begin)
     block = text.rfind("\n\n", 0, begin) + 2 if "\n\n" in text[:begin] else 0
     two = _JOINING.match(text, block)
-    if two is not None and (one_ := _part(two[1], names)) and (other := _part(two[2], names)):
-        joined = begin <= two.end() or _THROUGH.search(words.lower()) or _JOINS.search(words.lower())
-        return f"sew the {_called(other)} to the {_called(one_)}" if joined else words
-    if (they := _THEY_GO.match(words.lower())) is not None and re.search(r"\beyes\b", text[line:begin].lower()):
+    if two is not None and (one_ := _part(two[1], names)) and (other := _part(two[3], names)):
+        part, host = _onto(one_, other, two["how"], (other, one_))
+        joined = begin <= two.end() or _THROUGH.search(words.lower())
+        if part and (joined or (_JOINS.search(words.lower()) and not _says_itself(words, (part, host), names))):
+            return f"sew the {_called(part)} to the {_called(host)}"
+    if (they := _THEY_GO.match(words.lower())) is not None and _of_eyes(text[line:begin].lower(), names):
         return f"the eyes {words[they.end() :]}"
     words = _SCATTERED.sub(r"\1", _FACING.sub("", words))
     if (set_ := _SET.match(words.lower())) is not None:
         return f"place {set_[1]} {_SO.sub('', words[set_.end() :])}"
     two = _JOINT.match(text, line)
-    if two is not None and two.start(1) <= begin and (one_ := _part(two[1], names)) and (other := _part(two[2], names)):
-        return f"sew the {_called(one_)} to the {_called(other)}" if _JOINS.search(words.lower()) else words
+    if two is not None and two.start(1) <= begin and (one_ := _part(two[1], names)) and (other := _part(two[3], names)):
+        part, host = _onto(one_, other, two["how"], (one_, other))
+        own = words[max(0, two.end() - begin) :]
+        if not part or not _JOINS.search(words.lower()) or _says_itself(own, (part, host), names):
+            return own
+        return f"sew the {_called(part)} to the {_called(host)}"
     label = _LABEL.match(text, line)
     drawn = label is not None and label.end() <= begin + 1 and " " not in label[1] and face.motifs(label[1].lower())
     if (
@@ -141,6 +155,27 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
     own = words[len(led) :] if led and words.startswith(led) else words
     carries = carried(name, own, names)
     return words if carries is own else carries
+
+
+def _onto(one_: str, other: str, how: str, else_: tuple[str, str]) -> tuple[str, str]:
+    """Which of two parts is sewn to which; of a list of limbs, "Arms and legs", none to the other."""
+    if how.lower() != "and":
+        return one_, other
+    limbs = [Made(name, 1).kind in LIMBS for name in (one_, other)]
+    return ("", "") if all(limbs) else (one_, other) if limbs[0] else (other, one_) if limbs[1] else else_
+
+
+def _says_itself(words: str, two: tuple[str, str], names: tuple[str, ...]) -> bool:
+    """Whether a sentence about two parts says itself what goes where: it names both, or a third, or a round."""
+    said = {p.name for m in mentions(words.lower(), [Made(name, 1) for name in names]) for p, _ in m.copies}
+    return bool(said - {*two}) or said >= {*two} or where(words.lower()).rounds is not None
+
+
+def _of_eyes(low: str, names: tuple[str, ...]) -> bool:
+    """Whether "they" are the eyes: what was spoken of last, and not only by the way, "in line with the eyes"."""
+    eyes = [m.start() for m in _EYES.finditer(low)]
+    others = [m.start for m in mentions(low, [Made(name, 1) for name in names]) if low[m.start : m.end].endswith("s")]
+    return bool(eyes) and eyes[-1] > max(others, default=-1)
 
 
 def topic(text: str, begin: int, names: tuple[str, ...]) -> str:

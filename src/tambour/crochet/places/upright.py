@@ -27,10 +27,13 @@ _SEAT: Final = re.compile(
 )
 """A body that begins so stands on it, or sits, though it has four legs."""
 _SITS: Final = re.compile(
-    r"\bsits\s+(?:about|approx\w*\.?|around|roughly|at)?\s*\d|\b(?:measures?|tall|high|height|size)\b[^.\n]{0,40}\b(?:sitting|seated)\b|\bproper sitting\b"
-    r"|\b(?:sitting|seated)\b[^.\n]{0,30}\b(?:\d+(?:[.,]\d+)?\s*(?:cm|mm|in\b|inch|\")|tall|high|height)"
+    r"\bsits\s+(?:about|approx\w*\.?|around|roughly|at)?\s*\d(?!\d*\s*(?:r(?:n?d|ound|ow)?s?|st|sts|stitch\w*)\b)|\b(?:measures?|tall|high|height|size)\b[^.\n]{0,40}\b(?:sitting|seated)\b|\bproper sitting\b"
+    r"|\b(?:sitting|seated)\b[^.\n]{0,30}\b(?:\d+(?:[.,]\d+)?\s*(?:cm|mm|in\b|inch|\")|tall|high(?! (?:on|up|at)\b)|height)"
 )
 """A toy of which is told how tall it is when it sits."""
+_CM: Final = re.compile(r"\d\s*(?:cm|mm|in\b|inch|\"|”|'')")
+_NEAR: Final = 24
+"""A length is told within so many letters of that."""
 _TOYS: Final = 2
 """Where so many things are measured, it may be another that sits."""
 _UPWARDS: Final = re.compile(
@@ -220,7 +223,7 @@ class Upright(Toy):
             return "side"
         if not self.spots.in_rows[part] and self._ends_below(main):
             return "start"
-        sits = _SITS.search(self.text) is not None and len(re.findall(r"\bmeasures?\b", self.text)) < _TOYS
+        sits = self._seated() and len(re.findall(r"\bmeasures?\b", self.text)) < _TOYS
         if head not in (None, main) and (sits or self._begins(main, _SEAT)):
             return "end"
         if main.kind == "stem" and self._begins(main, _SEAT):
@@ -285,6 +288,10 @@ class Upright(Toy):
         """Whether it is an animal that is all length and lies on its belly, by its name or its title."""
         title = {one(w) for w in re.findall(r"[^\W\d_]+", self.text.strip().split("\n")[0])}
         return bool(_CRAWLS & set(main.words) or (_CRAWLS & title and len(title) < _TITLE))
+
+    def _seated(self) -> bool:
+        """Whether the words tell how tall the toy is when it sits, and not of a tail that sits so many rounds above a seam."""
+        return any(_CM.search(self.text, max(0, m.start() - _NEAR), m.end() + _NEAR) for m in _SITS.finditer(self.text))
 
     def _top_said(self, main: Made) -> bool:
         """Whether words before the parts, or those of the main one, begin at the top; what another part says of itself is none of these."""

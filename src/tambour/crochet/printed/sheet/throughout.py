@@ -9,6 +9,8 @@ from typing import Final
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
 
+_PLAIN: Final = frozenset(("sc", "hdc", "dc", "tr"))
+_ABOVE: Final = 4  # lines
 _ALL: Final = frozenset(("all", "around"))
 _LOOPS: Final = ("back loops", "front loops")
 _OPENS: Final = frozenset(("(", "[", "{", "="))
@@ -17,7 +19,19 @@ _ENDS: Final = frozenset((",", ".", ";"))
 
 def throughout(rows: list[Row], vocabulary: Vocabulary, stitch: str) -> list[Row]:
     """``rows`` in which a round that says "all" or "around" and no stitch works so many plain ones of ``stitch``."""
-    return [_put(row, vocabulary, stitch) for row in rows]
+    made: list[Row] = []
+    for row in rows:
+        even = _put(row, vocabulary, stitch)
+        made.append(even if even is row else _put(row, vocabulary, _worked(made, vocabulary, stitch)))
+    return made
+
+
+def _worked(rows: list[Row], vocabulary: Vocabulary, stitch: str) -> str:
+    """The plain stitch that the nearest round above is worked in, "hdc"; ``stitch`` where none is."""
+    for row in rows[: -_ABOVE - 1 : -1]:
+        if words := {t.value: t.word for t in vocabulary.read(row.tokens) if t.kind == "stitch" and t.value in _PLAIN}:
+            return stitch if "sc" in words or len(words) > 1 else next(iter(words.values()))
+    return stitch
 
 
 def _put(row: Row, vocabulary: Vocabulary, stitch: str) -> Row:

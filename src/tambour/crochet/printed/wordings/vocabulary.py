@@ -331,8 +331,8 @@ class Vocabulary:
 def _letter(tokens: list[Token], at: int) -> bool:
     """Whether an article is the letter of a stitch, as a text may have it: "(3X, A, 3X)", "R8: A, 4X", and no "A small dish."."""
     before, after = tokens[at - 1] if at else None, tokens[at + 1] if at + 1 < len(tokens) else None
-    listed = before is None or before.kind == "number" or before.word in ("(", "[", "*", ",", ":", "|", "/", "=")
-    return listed and (after is None or after.kind != "word" or after.word == "in")
+    listed = before is None or before.kind == "number" or before.word in ("(", "[", "*", ",", ":", "|", "/", "=", "x")
+    return listed and (after is None or after.kind != "word" or after.word in ("in", "x"))
 
 
 def _length(phrase: tuple[tuple[str, ...], str, Any]) -> int:

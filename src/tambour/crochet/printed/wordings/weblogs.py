@@ -78,6 +78,7 @@ SAID: Final = (
     (r"stop , (?:sl|slst|sl st|ss) , (?:and )?cut(?: (?:the )?(?:yarn|thread))?(?= ?[.;]| ?$)", "sl st , fasten off"),
     (r"((?:little|thin|light|some|no) (?:filling|stuffing)) , fold(?: it)?(?: in half)? , (\d+) (x|sc)(?: (?:on|through|in|over) (?:both|the two|two) (?:sheets|layers|sides|walls))?(?= ?[.;]| ?$)", "{1} . fold in half and {2} {3} through both layers"),
     (r"(?:close : )?fold(?: it)?(?: in half)? , (\d+) (x|sc)(?: (?:on|through|in|over) (?:both|the two|two) (?:sheets|layers|sides|walls))?(?= ?[.;]| ?$)", "fold in half and {1} {2} through both layers"),
+    (r"((?:(?:rnd|round|row|r) )?\d+ (?:-|[|:.)]) .*?) < -+ (?:now |then |here )?(change|switch|put|place|insert|add|attach|sew|stuff|fasten|cut|close|join|turn|start|begin|use|with|in)", "{1} . {2}"),
     (r"((?:(?:rnd|round|row|r) )?\d+ (?:-|[|:.)]) .*?) < -+ [^<>|]*$", "{1} , marker"),
     # repeats
     (r"repeat(?= [\[(] [^\])*]+ [\])] (?:around|across|to (?:the )?end)(?: ?[.,;(]| ?$))", ""),
