@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from crochet_read import counts, pattern, unread
 from tambour.crochet.graph.build import build
+from tambour.crochet.graph.layout import rounds
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.language.tree import Action
 
@@ -270,3 +272,51 @@ def test_blush_is_sewn_below_eyes_that_are_there() -> None:
     found = pattern(words).finish
     assert {r.spot.round for r in found if isinstance(r, Eye)} == {7.5}
     assert [r for r in found if isinstance(r, Embroidery)]
+
+
+_LEGS = (
+    "DOLL\n\nLEGS (make 2), start with brown\n{found}\nRnd 4-12: sc in each st around (14)\n"
+    "Cut the yarn of the first leg. Keep the second one on the hook.\n\nBODY\n"
+    "Rnd 13: ch 3, join with sc to the first leg, 14 sc around the first leg, 3 sc over the chain, 14 sc around the second leg, 3 sc over other side of chain (34)\n"
+    "Rnd 14-20: sc in each st around (34)\n"
+)
+
+
+def test_two_legs_on_oval_soles_stand_beside_each_other() -> None:
+    soles = (
+        "Ch 5.\nRnd 1: sc in 2nd ch from hook, 2 sc, 3 sc in last ch, other side of the chain 2 sc, inc (10)\n"
+        "Rnd 2: inc, 2 sc, inc x 3, 2 sc, inc x 2 (16)\nRnd 3: 7 sc, dec x 2, 5 sc (14)"
+    )
+    built = build(pattern(_LEGS.format(found=soles)))
+    x = rounds(built.graph, built.graph.rest / built.graph.stitch_width)
+    legs = [q for q in built.rounds if q.count == 14]
+    middle = [float(x[q.first : q.first + q.count, 0].mean()) for q in legs]
+    assert max(middle) - min(middle) > 14 / np.pi
+
+
+_FOX = (
+    "FOX\n\nLEGS, BODY AND HEAD - start with brown\nR1. Ch 2, 6 sc in 2nd ch from hook [6]\nR2. inc x6 [12]\nR3. 12 [12]\nR4. 4, dec x2, 4 [10]\n"
+    "R5-8. Orange: 10 [10]\n"
+    "First leg: FO, hide the end, stuff. Second leg: stuff, do not cut the yarn, work 4 more sc (you are on the inside of the leg), then ch 3.\n"
+    "R9. Hook into the 7th st of R8 of the first leg and go on from there: 10 around the first leg, 3 along the chain, "
+    "10 around the second leg, 3 along the other side of the chain [26]\nR10. 26 [26]\nR11. (11, dec) x2 [24]\n"
+)
+
+
+def test_a_leg_that_is_written_once_is_two_joined_by_a_chain_said_before() -> None:
+    found = pattern(_FOX)
+    built = build(found)
+    assert [w.made for w in built.worked if w.line.in_round][-2:] == [26, 24]
+    assert not [p.message for p in built.warnings if "the pattern says" in p.message]
+    assert not [line for part in found.parts for line in part.lines if line.gap]
+    brown = [k for k in range(len(built.graph.color)) if built.graph.color[k].max() < 150]
+    assert len(brown) == 2 * (6 + 12 + 12 + 10)
+
+
+def test_loops_that_are_left_say_nothing_of_how_a_round_is_worked() -> None:
+    words = (
+        "HUT\n\nWALLS\nRound 1: 6 sc in a magic ring. (6)\nRound 2: inc in every stitch. (12)\nRound 3: BLO: sc around. (12)\n"
+        "The front loops of Round 2 are waiting for the grass.\n\nCAP\nRound 1: 6 sc in a magic ring. (6)\nRound 2: inc in every stitch. (12)\n"
+    )
+    cap = pattern(words).parts[1]
+    assert not [i for line in cap.lines for i in line.items if isinstance(i, Action) and i.name in ("flo", "blo")]

@@ -127,6 +127,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     width = np.zeros(len(graph.parts))
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)
+    aside: dict[int, float | None] = {}  # of sections of ovals, how far beside the first one's middle theirs is
     forks = Forks()
     inside = np.zeros(n, bool)
     for p in graph.parts:
@@ -151,12 +152,15 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             dangling.placed(graph, x, heights, (a, b), bool(flat[part]))
             continue
         if not len(under):
-            on = ovals.base(graph, a, b) if half[part] < 0.0 else 0
+            again = half[part] >= 0.0 and graph.previous[a] < graph.parts[part].start  # the second of two soles
+            on = ovals.base(graph, a, b) if half[part] < 0.0 or again else 0
             if on:
                 # The hook's end at the back: the middle of a round is in front.
                 half[part], flat[part] = 0.5 * (on - 1), False
                 x[nodes, 2] = 0.5 * (on - 1) - np.arange(count)
                 x[a + on : b, 2], x[a + on : b, 1] = x[a + on - 1, 2], np.arange(1, count - on + 1)
+                aside[k] = float(begun[part] * (2.0 * width[part] + 2.0))
+                x[nodes, 0] = aside[k]
                 begun[part] += 1
                 continue
             x[nodes] = _begin(graph, x, np.arange(a, b), width[part], begun[part], bool(flat[part]))
@@ -187,11 +191,14 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         if folded[a:b].any():
             x[nodes] = stand + np.array([0.0, h, 0.0])
             continue
-        if half[part] >= 0.0 and count > 3:
+        where = {aside.get(int(j), 0.0) for j in below}  # None: two soles have become one
+        beside = aside[k] = where.pop() if len(where) == 1 else None
+        if half[part] >= 0.0 and count > 3 and beside is not None:
             side, radius = ovals.straight(count, float(half[part]))
             spread = float(ends_of[under].mean())
             up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
-            x[nodes, 0], x[nodes, 2] = ovals.turned(count, side, radius, stand[:, [0, 2]]).T
+            x[nodes, 0], x[nodes, 2] = ovals.turned(count, side, radius, stand[:, [0, 2]] - [beside, 0.0]).T
+            x[nodes, 0] += beside
             x[nodes, 1], ends_of[nodes] = centre[1] + (-up if inside[a] else up), radius
             continue
         turns = ovals.corners(graph, a, b) if flats[part] else []

@@ -36,6 +36,7 @@ _OF: Final = re.compile(rf"(?<!stitches )(?<!sts )\bof (?:the )?{_ROUNDS} \d|\bj
 _SAID: Final = re.compile(r"\b(?:are|is|work|worked|working|made|make|crochet|crocheted|done|unless)\b")
 _SO: Final = frozenset(("it", "this", "that", "which", "so", "these", "gives", "makes"))
 """Words that say what comes of it."""
+_WORKED: Final = re.compile(r"\b(?:work|worked|working|made|make|crochet|crocheted|done)\b")
 _ONWARD: Final = re.compile(r"\b(?:on|onwards?|start|starting|begin|beginning|forward|after)\b")
 
 
@@ -61,6 +62,9 @@ def rule(tokens: list[Token]) -> Loops | None:
     words = " ".join(str(t.value) if t.kind == "key" and t.value != "even" else t.word for t in tokens).lower()
     if _OF.search(words) or {":", "."} & set(words.split()) or not (keyed[0] is tokens[-1] or _SAID.search(words)):
         return None
+    behind = tokens[tokens.index(keyed[0]) + 1 :][:1]
+    if behind and behind[0].value in ("round", "row") and not _WORKED.search(words):
+        return None  # "The front loops of Round 8 are waiting for you": those that are left, and nothing is said of how it is worked
     loop = LOOPS[keyed[0].value]
     if _OTHER.search(words):
         return Loops(loop, range(2, MOST, 2), True)

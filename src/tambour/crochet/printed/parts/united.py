@@ -45,7 +45,7 @@ def united(
     """
     if sum(t.kind == "stitch" for t in tokens) < 2:
         return None
-    tokens = _plainly(p, tokens)
+    tokens = _plainly(p, _led(p, draft, tokens))
     twins = _twins(p, draft, tokens)
     if twins is None:
         return None
@@ -65,6 +65,33 @@ def united(
                 span,
             )
     return body
+
+
+def _led(p: State, draft: Draft, tokens: list[Token]) -> list[Token]:
+    """A round without where the hook goes in before its colon ("Hook into the 7th st of the first leg and go on from there: …"), with the chain
+    that a sentence above it makes, where its own words only go along one."""
+    colon = next((k for k, t in enumerate(tokens) if t.word == ":"), 0)
+    lead = tokens[:colon]
+    if any(_rank(t) is not None for t in lead) and not any(t.kind == "stitch" for t in lead):
+        tokens = tokens[colon + 1 :]
+    chains = any(
+        (a.value == "ch" and b.kind == "number") or (a.kind == "number" and b.value == "ch")
+        for a, b in pairwise(tokens)
+    )
+    if chains or not draft.lines or not any(t.value == "ch" for t in tokens) or not tokens:
+        return tokens
+    above = p.source.text.text[draft.lines[-1].span.end : tokens[0].start].lower()
+    said = re.findall(r"\bch(?:ain)?\s*(\d{1,2})\b|\b(\d{1,2})\s*ch(?:ains?)?\b", above)
+    if len(said) != 1:
+        return tokens
+    at = tokens[0].start
+    many = int(said[0][0] or said[0][1])
+    return [
+        Token("stitch", "ch", at, at, "ch"),
+        Token("number", str(many), at, at, many),
+        Token("mark", ",", at, at),
+        *tokens,
+    ]
 
 
 def _usual(tokens: list[Token], here: int, other: int) -> tuple[list[Run], int] | None:
@@ -212,7 +239,7 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
         return None
     noun = named[0][1]
     kin = [d for d in p.parts if d.begun() and not d.merged and noun in _words(d)]
-    if not kin and _made_twice(p, draft, noun, tokens[0].start):
+    if kin in ([], [draft]) and _made_twice(p, draft, noun, tokens[0].start):
         draft.twin = noun
         return draft, draft, noun
     if draft.begun() and draft not in kin:
@@ -420,6 +447,16 @@ def _tied(p: State, items: list[Item]) -> list[Item] | None:
     return [tie, *more, *items[1:]]
 
 
+def _yarn_of(p: State, draft: Draft) -> Line | None:
+    """The yarn that a part's heading names for its first rounds, which name none; None where there is no such."""
+    first = next((i for n in draft.lines for i in n.items if isinstance(i, Action)), None)
+    if first is None or first.name == "color":
+        return None
+    begin = next((n.span.start for n in draft.lines), draft.span.end)
+    hue = p.palette.first(p.source.text.text[draft.span.start : max(begin, draft.span.end)])
+    return None if hue is None else Line((Action("color", draft.span, numbers=hue),), draft.span, False)
+
+
 def _label(p: State, noun: str, rank: int) -> str:
     """The mark on the first piece or the second."""
     pairs = sum(d.merged for d in p.parts)
@@ -441,7 +478,10 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
     else:
         draft.lines = own
     mark = Line((Action("mark", span, labels=(label,)),), span, False)
-    draft.lines = [*lines, mark, *draft.lines]
+    begun = (
+        [_yarn_of(p, here)] if other is here else []
+    )  # the second leg begins in the yarn of the heading as the first does
+    draft.lines = [*lines, mark, *(line for line in begun if line is not None), *draft.lines]
     draft.marks = []
     if other is not here:
         other.merged = True

@@ -18,6 +18,8 @@ _OPENS: Final = frozenset(("(", "["))
 _PAIR: Final = re.compile(
     r"[(\[] (\d+) (incs?|decs?) [)\]] (?:(?:x|\*|×) ?)?(\d+)(?: times| x)? (?:[(\[]|=) (\d+)(?: (?:sts?|sc))?(?: [)\]])?(?: [.,].*)?"
 )
+_HEAD: Final = 4  # tokens of a head that ends in a point: "R16-18."
+_ALONG: Final = frozenset(("around", "along"))
 _TO: Final = frozenset(("-", "–", "+", "&", "to", "and"))
 
 
@@ -95,7 +97,17 @@ def _put_noted(tokens: list[Token], stitch: str) -> list[Token]:
 
 def _heads(tokens: list[Token]) -> list[int]:
     """Where rounds begin to say what they work: behind the colons that stand behind their numbers."""
-    return [k + 1 for k, t in enumerate(tokens) if t.word == ":" and k + 1 < len(tokens) and _numbered(tokens, k)]
+    named = bool(tokens) and (tokens[0].word in _CALLED or _NUMBERED.fullmatch(tokens[0].word) is not None)
+    return [
+        k + 1
+        for k, t in enumerate(tokens)
+        if (
+            t.word == ":"
+            or (t.word == "." and named and k <= _HEAD and not (tokens[k + 1 : k + 2] and tokens[k + 1].glued))
+        )
+        and k + 1 < len(tokens)
+        and _numbered(tokens, k)
+    ]
 
 
 def _numbered(tokens: list[Token], end: int) -> bool:
@@ -126,7 +138,8 @@ def _put(tokens: list[Token], stitch: str, ring: str) -> list[Token]:
             made.append(token)
             if not (token.kind == "number" and isinstance(token.value, int) and _lone(said, k, after is not None)):
                 continue
-            if k and not shaped:
+            along = k + 1 < len(said) and said[k + 1].word in _ALONG
+            if k and not shaped and not along:
                 continue  # of a list without a shaping nothing says what it counts
             made.append(Token("word", stitch, token.end, token.end, None, True))
             if k == 0 and _first(tokens[begin - 2].word) and not shaped and _whole(said, after is not None):
@@ -156,11 +169,11 @@ def _lone(said: list[Token], k: int, followed: bool) -> bool:
     """Whether nothing says what the number at ``k`` is of: it is no count, and repeats nothing."""
     before = said[k - 1] if k else None
     after = said[k + 1] if k + 1 < len(said) else None
-    if before is not None and before.word not in (",", *_OPENS):
+    if before is not None and before.word not in (",", ":", *_OPENS):
         return False
     if before is not None and before.word in _OPENS and (after is None or after.word in (")", "]")):
         return False  # a count
-    if after is None or after.word in _STOPS or after.word == "=":
+    if after is None or after.word in _STOPS or after.word == "=" or after.word in _ALONG:
         return True
     if after.word in _OPENS:
         return k + 3 < len(said) and said[k + 2].kind == "number" and said[k + 3].word in (")", "]")
