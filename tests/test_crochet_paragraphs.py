@@ -310,7 +310,7 @@ def test_a_leg_that_is_written_once_is_two_joined_by_a_chain_said_before() -> No
     assert not [p.message for p in built.warnings if "the pattern says" in p.message]
     assert not [line for part in found.parts for line in part.lines if line.gap]
     brown = [k for k in range(len(built.graph.color)) if built.graph.color[k].max() < 150]
-    assert len(brown) == 2 * (6 + 12 + 12 + 10)
+    assert len(brown) == 2 * (1 + 6 + 12 + 12 + 10)  # with the ring that each begins in
 
 
 def test_loops_that_are_left_say_nothing_of_how_a_round_is_worked() -> None:
