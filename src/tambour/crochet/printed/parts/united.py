@@ -239,7 +239,7 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
         return None
     noun = named[0][1]
     kin = [d for d in p.parts if d.begun() and not d.merged and noun in _words(d)]
-    if (not kin or (kin == [draft] and not draft.twin)) and _made_twice(p, draft, noun, tokens[0].start):
+    if (not kin or (kin == [draft] and not draft.other_end)) and _made_twice(p, draft, noun, tokens[0].start):
         draft.twin = noun
         return draft, draft, noun
     if draft.begun() and draft not in kin:
