@@ -282,9 +282,25 @@ def test_a_sentence_says_more_than_where_a_hat_is_pulled() -> None:
     assert (flower.spot.part, flower.spot.round) == ("BODY", 9.0)
 
 
-def test_stitches_to_work_are_no_remark() -> None:
-    words = (
-        "Ball\n\nHEAD\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\n"
-        "Under the arm there are 6 sts, work sc in each of them.\nR3: sc around (12)\n"
-    )
+@pytest.mark.parametrize(
+    "said", ["Under the arm there are 6 sts, work sc in each of them.", "Over the tummy there will be 6 sts in white."]
+)
+def test_stitches_to_work_are_no_remark(said: str) -> None:
+    words = f"Ball\n\nHEAD\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\n{said}\nR3: sc around (12)\n"
     assert unread(words)
+
+
+def test_a_cap_is_on_no_ears_that_stick_out_of_it() -> None:
+    one_piece = (
+        "BUNNY\n\nBODY\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: (1 sc, inc) x 6 (18)\nR4-9: sc around (18)\n"
+        "R10: (1 sc, dec) x 6 (12)\nR11: inc around (24)\nR12-18: sc around (24)\nR19: (2 sc, dec) x 6 (18)\nR20: dec around (9)\n\n"
+        "EARS (make 2)\nR1: 6 sc in magic ring (6)\nR2-6: sc around (6)\n\nCAP\nR1: 6 sc in magic ring (6)\nR2: inc around (12)\nR3: inc around (24)\n"
+        "R4: sc around (24)\n\nASSEMBLY\nSew the ears to the head at round 18. Put the cap on the head, so that the ears stick out.\n"
+    )
+    assert _placed(one_piece)["CAP"].spot.part == "BODY"
+
+
+def test_a_second_one_that_is_not_cut_is_no_traceback() -> None:
+    words = f"Legs\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\n{{}}\n\n{BEGUN}"
+    plain, said = (pattern(words.format(one)) for one in ("", "Make the second one the same, do not cut."))
+    assert [p.name for p in plain.parts] == [p.name for p in said.parts]

@@ -76,7 +76,7 @@ _BACK, _FAR = 240, 4
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|level with|in line with|"
-    r"on (?:either|both|each) sides? of(?! (?:the |its )?(?:tip|end)\b)|as|from|towards?|between (?:the |each |both )?\w+ and)\s+"
+    r"on (?:either|both|each) sides? of(?! (?:the |its )?(?:tip|end)\b)|as|from|towards?|so that|so|between (?:the |each |both )?\w+ and)\s+"
     r"(?:the\s+|an?\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+|end\s+|edge\s+|tip\s+|of\s+|white\s+|cream\s+|black\s+|pink\s+|red\s+|light\s+|dark\s+)*$"
 )
 """Words before a part that something is only near."""

@@ -260,8 +260,9 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
     if said is None or not draft.begun():
         return False
     noun = one((said["noun"] or "").lower())
-    if noun and noun not in ("one", "piece"):
-        names = [{one(w) for w in d.name.lower().replace("_", " ").split()} for d in p.parts]
+    noun = "" if noun in ("one", "piece") else noun
+    names = [{one(w) for w in d.name.lower().replace("_", " ").split()} for d in p.parts]
+    if noun:
         meant = next((k for k in range(len(names) - 1, -1, -1) if noun in names[k]), None)
         if meant is None:
             return False

@@ -35,7 +35,7 @@ _COUNTED: Final = re.compile(
     r"|(?:now\s+)?(?:there|you|we|it)\s+(?:(?:should|must|will|shall)\s+)?(?:now\s+)?(?:be|have|has|are)\s+(?:exactly\s+)?\d+\s+(?:sts|stitches|sc|loops|x)"
     r"(?:\s+(?:in\s+total|left|around|in\s+the\s+round))?"
     r"|(?:over|under|across|along|on|between)\s[^.;:]{0,30}\b(?:there\s+)?(?:are|will\s+be|should\s+be)\s+(?:exactly\s+)?\d+\s+(?:sts|stitches|sc|loops)\b"
-    r"(?:(?!\b(?:sc|dc|hdc|inc|dec|ch|work|crochet|make|sew|join|skip|close|pull|leave|stitch)\b)[^.;:])*"
+    r"(?:(?!\b(?:sc|dc|hdc|inc|dec|ch|work|crochet|make|sew|join|skip|close|pull|leave|stitch|yarn|colou?r|black|white|cream|brown|grey|gray|red|pink|orange|yellow|green|blue|purple)\b)[^.;:])*"
     r"|(?:now\s+|then\s+)?(?:pick\s+up|take|put)\s+(?:the\s+|your\s+)?(?:[a-z]+\s+)?loop\s+(?:again|back(?:\s+on(?:\s+(?:the|your))?\s+hook)?)"
     r"|from\s+(?:here|now)(?:\s+on)?,?\s+(?:the\s+|all\s+)?(?:decreases|increases|shaping)\s+(?:are|is|will\s+be)\s+(?:all\s+)?(?:worked|made|done)\s+(?:on|at|along)\s[^.;\d]*(?::[^.;\d]*)?"
     r"|if\s+(?:necessary|needed|required)\s*,?\s+(?:you\s+can\s+)?(?:work|knit|crochet|make|undo|unravel|add)\b[^.;:]*\b(?:several|a\s+few|few|some|extra|more)\s+(?:sts|stitches|sc|loops|x)"
