@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from tambour.crochet.page.book import Book
 
 _BEGUN: Final = re.compile(
-    r"\b(?:begin|start|work)\w*\b[^.\n]{0,25}\b(?:at|from|in|with|under)\b[^.\n]{0,25}\b(?:top|bottom|nose|snout|muzzle|crown|base|neck|front|back|tip|tail|floor|foot|feet|toes?|sole|underneath|ground)\b"
+    r"\b(?:begin|start|work)\w*\b[^.\n]{0,25}\b(?:at|from|in|with|under)\b[^.\n]{0,25}\b(?:top|bottom|nose|snout|muzzle|crown|base|neck|front(?! loop)|back(?! loop)|tip|tail|floor|foot|feet|toes?|sole|underneath|ground)\b"
     r"|\bfrom (?:the )?(?:top|bottom|nose|crown|neck|tip|base)\b[^.\n]{0,20}\b(?:to|up|down)\b",
     re.IGNORECASE,
 )

@@ -123,7 +123,13 @@ def before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, in
         elif mode and gap and heads(words := cleaned(line, text)):
             mode = ""  # "GOOD TO KNOW"
             made.intro.append(words)
-        elif mode == "terms" and sentence and not _SIGN.match(line) and not _TERM.search(BULLET.sub("", line)):
+        elif (
+            mode == "terms"
+            and sentence
+            and "=" not in line
+            and not _SIGN.match(line)
+            and not _TERM.search(BULLET.sub("", line))
+        ):
             made.intro.append(cleaned(line, text))  # "Mark the first stitch." among them
             continue
         elif mode and (not (gap and sentence) or (mode == "materials" and _stated(pattern, a, b))):

@@ -32,7 +32,7 @@ _SO: Final = re.compile(r",?\s+so that\b[^.;]*")
 _FACING: Final = re.compile(
     r",?\s*\b(?:when|with|while|as)\s+the\s+\w+\s+(?:is\s+|are\s+)?(?:facing|towards|looks? at|faces)\s+you\b"
 )
-_SCATTERED: Final = re.compile(r"^(\W*(?:scatter|spread|strew)\b[^:;]*)[:;].*$", re.IGNORECASE | re.DOTALL)
+_SCATTERED: Final = re.compile(r"^(\W*(?:scatter|spread|strew)\b[^:;]*)[:;][^\d]*$", re.IGNORECASE | re.DOTALL)
 """What is scattered over another part, and which of it is where besides."""
 _IT: Final = re.compile(r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?:it|them)\b")
 _JOINS: Final = re.compile(

@@ -169,7 +169,8 @@ def _lone(said: list[Token], k: int, followed: bool) -> bool:
     """Whether nothing says what the number at ``k`` is of: it is no count, and repeats nothing."""
     before = said[k - 1] if k else None
     after = said[k + 1] if k + 1 < len(said) else None
-    if before is not None and before.word not in (",", ":", *_OPENS):
+    along = after is not None and after.word in _ALONG
+    if before is not None and before.word not in (",", *_OPENS) and not (along and before.word == ":"):
         return False
     if before is not None and before.word in _OPENS and (after is None or after.word in (")", "]")):
         return False  # a count
