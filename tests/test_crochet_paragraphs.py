@@ -320,3 +320,26 @@ def test_loops_that_are_left_say_nothing_of_how_a_round_is_worked() -> None:
     )
     cap = pattern(words).parts[1]
     assert not [i for line in cap.lines for i in line.items if isinstance(i, Action) and i.name in ("flo", "blo")]
+
+
+def test_grass_round_grows_from_the_loops_that_are_waiting() -> None:
+    words = (
+        "HUT\n\nWALLS\nWith cream.\nRound 1 - 6 sc in a magic ring - 6\nRound 2 - inc in every stitch - 12\nRound 3 - (sc 1, inc) x 6 - 18\n"
+        "Round 4 - BLO: sc around - 18\nRounds 5 to 8 - sc around - 18\nFasten off.\n\n"
+        "GRASS\nTurn the walls upside down. The front loops of Round 3 are waiting for you.\nWith green, attach the yarn to any of these loops.\n"
+        "Grass round - *sl st in the loop, ch 4, sc in 2nd ch from hook, sc in the next 2 ch, skip 1 loop*, repeat from * to * 9 times, join to the first sl st - 9 blades\n"
+        "Cut the yarn.\n"
+    )
+    placed = _placed(words)
+    assert (placed["GRASS"].spot.part, placed["GRASS"].spot.round) == ("WALLS", 3.0)
+    assert unread(words) == []
+
+
+def test_sorts_of_spots_that_are_scattered_lie_among_each_other() -> None:
+    words = _HOUSE.replace("Large, make 3", "Large, make 4").replace("Medium, make 2", "Medium, make 4")
+    spots = [(r.spot.round, r.spot.stitch) for part, r in _placed(words).items() if "DOTS" in part]
+    assert len(spots) == len(set(spots)) == 8
+    heights = [
+        [r.spot.round for part, r in _placed(words).items() if part.startswith(sort)] for sort in ("Large", "Medium")
+    ]
+    assert max(min(h) for h in heights) < min(max(h) for h in heights)

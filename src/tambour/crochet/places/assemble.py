@@ -185,7 +185,7 @@ class Assembly(Hosts):
             self._stand_up()
             self._between_rims()
         put = Facer(self)
-        waiting = self._tree()
+        put.waiting = waiting = self._tree()
         self._fill(waiting)
         if any(p.kind == "hat" and any(b[:2] == ("over", "nose") for b in p.where.beside) for p in self.heard.puts):
             for p in waiting:  # a gnome's nose looks out from under the brim

@@ -7,6 +7,7 @@ import re
 from typing import Final
 
 from tambour.crochet.places import face
+from tambour.crochet.places.habits import SCATTERED
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.said import VERB, where
 from tambour.crochet.words.numbers import QUANTITY
@@ -94,7 +95,7 @@ _TELLS: Final = re.compile(r"\b(?:is|are|was|were|looks?|turned|came|mine|my|our
 
 def fuller(text: str, names: list[str]) -> str:
     """A sentence as most say it; as it is where it is none of these. names : of the parts that are known."""
-    if len(text) > _LONG or text.isupper() or text.rstrip().endswith(":"):
+    if len(text) > _LONG or text.isupper() or text.rstrip().endswith(":") or SCATTERED.match(text):
         return text
     known = {w for name in names for w in Made(name, 1).words}
     said = _RING.sub("evenly spaced around ", _sorted(text, names))

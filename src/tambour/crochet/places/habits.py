@@ -131,6 +131,8 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     (rf"\b({QUANTITY})\s*{ST}\s+(?:away\s+)?from (?:one another|each other|the other)\b", r"\1 stitches apart"),
 )
 """What is said → how it is read."""
+SCATTERED: Final = re.compile(r"^(\W*(?:scatter|spread|strew)\b[^:;]*)[:;][^\d]*$", re.IGNORECASE | re.DOTALL)
+"""What is scattered over another part, and, in words alone, which of it is where besides."""
 _SIDE: Final = r"(?:on|at|to)\s+(?:the\s+|its\s+|his\s+|her\s+)?(?:left|right)(?:[- ]?hand)?(?:\s+side)?"
 _OWN_EDGES: Final = r"(?:sides?|bottom|base|lower\s+edge|top)"
 _ALIKE: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (

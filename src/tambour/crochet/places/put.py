@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -56,7 +57,12 @@ _NEAR_END: Final = 4
 
 
 class Putter(Pairer):
-    """Puts parts on a toy's parts, one after the other."""
+    """Puts parts on a toy's parts, one after the other.
+
+    waiting : all that is put
+    """
+
+    waiting: Sequence[Put] = ()
 
     # -- parts ------------------------------------------------------------------------------------------------------
 
@@ -238,7 +244,7 @@ class Putter(Pairer):
         if len(made) == 4 and len({c[0] for c, _ in made}) == 1 and not self.work.spots.in_rows[host.part]:
             made = self._evened(host, made)
         if put.where.stitch is None:
-            own = strewn(put.kind, len(made), host) if not self._exactly(put) and put.where.rounds is None else []
+            own = strewn(put.kind, len(made), host, *self._sorts(put)) if self._loose(put) else []
             places = own or spread([spot for _, (spot, _) in made], host, 2.0 * self._half(put.copies[0]))
             made = [(c, (host.within(spot), way)) for (c, (_, way)), spot in zip(made, places)]
         if not all(self.stand.there(spot) for _, (spot, _) in made):
@@ -255,6 +261,18 @@ class Putter(Pairer):
                 if records[k].spot.round == records[k + 1].spot.round and ways[k].at[0] * ways[k + 1].at[0] < 0.0:
                     records[k + 1] = _mirrored(records[k], records[k + 1])
         return records
+
+    def _loose(self, put: Put) -> bool:
+        """Whether nothing says where on its host a part goes."""
+        return put.where.rounds is None and not self._exactly(put)
+
+    def _sorts(self, put: Put) -> tuple[int, int]:
+        """Of spots that are strewn over a host in several sorts: how many come before these, and how many there are."""
+        own = put.copies[0][0]
+        alike = [p for p in self.waiting if p.kind == put.kind and p.host == put.host and self._loose(p)]
+        alike = [p for p in alike if p.copies == put.copies or p.copies[0][0] != own]  # other sorts, and these
+        at = next((k for k, p in enumerate(alike) if p.copies == put.copies), -1)
+        return (sum(len(p.copies) for p in alike[:at]), sum(len(p.copies) for p in alike)) if at >= 0 else (0, 0)
 
     def _exactly(self, put: Put) -> bool:
         """Whether a place is said so that nothing of it is left to choose."""

@@ -86,17 +86,22 @@ def _meet(one: Seam, other: Seam) -> bool:
     return inside and float(one.normal @ other.normal) > SAME_SIDE
 
 
-def strewn(kind: str, many: int, host: Host) -> list[Spot]:
-    """Places for many spots all over a part, as far as it widens: as evenly as a sunflower's seeds; none for a few, and for other things."""
-    if kind != "spot" or many < _STREWN or host.stand.spots.in_rows[host.part]:
+def strewn(kind: str, many: int, host: Host, before: int = 0, total: int = 0) -> list[Spot]:
+    """Places for many spots all over a part, as far as it widens: as evenly as a sunflower's seeds; none for a few, and for other things.
+
+    before, total : how many of other sorts are strewn there before these, and how many there are of all (0: these alone); sorts are mixed
+    """
+    total = max(total, many)
+    if kind != "spot" or total < _STREWN or host.stand.spots.in_rows[host.part]:
         return []
     counts = [len(ring) for _, ring in host.levels]
     widest = max(k for k, c in enumerate(counts) if c == max(counts))
     rounds = [float(n) for n, _ in host.levels[: widest + 1]]
     behind = np.cumsum(counts[: widest + 1])
     made = []
-    for k in range(many):
-        share = (k + 0.5) / many * _STREWN_TO * float(behind[-1])
+    order = range(total) if total == many else sorted(range(total), key=lambda i: (i * _GOLDEN) % 1.0)
+    for k in order[before : before + many]:
+        share = (k + 0.5) / total * _STREWN_TO * float(behind[-1])
         n = int(np.searchsorted(behind, share))
         turn = (k * _GOLDEN + 0.25) % 1.0
         made.append(Spot(host.name, rounds[n], round(1.0 + turn * counts[n], 1)))

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.places import face
-from tambour.crochet.places.habits import ROUND
+from tambour.crochet.places.habits import ROUND, SCATTERED
 from tambour.crochet.places.hosts import LIMBS
 from tambour.crochet.places.names import Made, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, where
@@ -32,8 +32,6 @@ _SO: Final = re.compile(r",?\s+so that\b[^.;]*")
 _FACING: Final = re.compile(
     r",?\s*\b(?:when|with|while|as)\s+the\s+\w+\s+(?:is\s+|are\s+)?(?:facing|towards|looks? at|faces)\s+you\b"
 )
-_SCATTERED: Final = re.compile(r"^(\W*(?:scatter|spread|strew)\b[^:;]*)[:;][^\d]*$", re.IGNORECASE | re.DOTALL)
-"""What is scattered over another part, and which of it is where besides."""
 _IT: Final = re.compile(r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?:it|them)\b")
 _JOINS: Final = re.compile(
     r"\b(?:openings?|edges?|match|sew|whip ?stitch|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
@@ -129,7 +127,7 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
             return f"sew the {_called(part)} to the {_called(host)}"
     if (they := _THEY_GO.match(words.lower())) is not None and _of_eyes(text[line:begin].lower(), names):
         return f"the eyes {words[they.end() :]}"
-    words = _SCATTERED.sub(r"\1", _FACING.sub("", words))
+    words = SCATTERED.sub(r"\1", _FACING.sub("", words))
     if (set_ := _SET.match(words.lower())) is not None:
         return f"place {set_[1]} {_SO.sub('', words[set_.end() :])}"
     two = _JOINT.match(text, line)

@@ -30,10 +30,16 @@ _LOOPS: Final = re.compile(
     rf"{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(1)}"
     r"|\b(?:join|attach|insert|pull|draw|work|start|begin|reattach|rejoin|with|using)\w*\b[^.;]{0,80}?\b(?:flo|blo|fl|bl)s?\b[^.;]{0,40}?"
     rf"\b{_NUMBER.format(2)}"
-    rf"|^\W*(?:(?:[a-z]+\s+)?[a-z]+\s*,\s*)?(?:in|into|on|over|behind|from|along|through|to|for)\s+(?:the\s+)?(?:\d+\s+)?{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(3)}",
+    rf"|^\W*(?:(?:[a-z]+\s+)?[a-z]+\s*,\s*)?(?:in|into|on|over|behind|from|along|through|to|for)\s+(?:the\s+)?(?:\d+\s+)?{_SIDE}{_KIND}\b[^.;]{{0,40}}?\b{_NUMBER.format(3)}"
+    rf"|^\W*(?:the\s+)?(?:\d+\s+)?{_SIDE}{_KIND}\b[^.;]{{0,20}}?\b{_NUMBER.format(4)}(?=[^.;]{{0,30}}?\b(?:are|is|wait|stay|remain)\b)",
     re.IGNORECASE,
 )
 """Where yarn is joined in loops that a round left: "Join C in a free front loop of Rnd 29 at the back"."""
+_ANY: Final = re.compile(
+    r"\b(?:attach|join|fasten|fix|insert)\b[^.;]*\b(?:these|those|the|them)\b[^.;]*", re.IGNORECASE
+)
+"""What a sentence behind that says: "With green, attach the yarn to any of these loops"."""
+_TIED: Final = frozenset(("join", "to", "in", "slst", "first", "with"))
 _YARNS: Final = ("join", "attach", "with", "using", "yarn", "color", "colour", "rejoin", "in")
 
 
@@ -52,10 +58,12 @@ def joined_in_loops(p: State, tokens: list[Token]) -> bool:
     if p.heading is None or not p.parts or not hanging(p.heading.name):
         return False
     span = Span(tokens[0].start, tokens[-1].end)
-    found = _LOOPS.search(p.source.text.text[span.start : span.end])
-    if found is None:
+    said = p.source.text.text[span.start : span.end]
+    found = _LOOPS.search(said)
+    if found is not None:
+        p.hanging = int(next(n for n in found.groupdict().values() if n)), span
+    elif p.hanging is None or _ANY.search(said) is None or "loop" not in said.lower():
         return False
-    p.hanging = int(next(n for n in found.groupdict().values() if n)), span
     for at, token in enumerate(tokens):
         before = tokens[at - 1].word if at else ""
         shade = p.palette.color(Cursor(tokens, at)) or (
@@ -95,6 +103,13 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
 def _unjoined(tokens: list[Token]) -> list[Token]:
     """A round without the slip stitch that closes it, behind its count: "(2 sc, inc) x 6 (24), sl st"."""
     said = tokens[: -1 if tokens and tokens[-1].word == "." else None]
+    joined = next((k for k in range(len(said) - 1, 0, -1) if said[k].value == "join"), 0)
+    if (
+        joined > 1
+        and said[joined - 1].word in (",", ".")
+        and all(t.value in _TIED or t.kind in ("mark", "ordinal", "number", "word") for t in said[joined:])
+    ):
+        return said[: joined - 1]  # ", join to the first sl st - 24 blades"
     closed = len(said) > 3 and said[-1].value == "slst" and said[-2].word == "," and said[-3].word in (")", "]")
     return said[:-2] if closed else tokens
 

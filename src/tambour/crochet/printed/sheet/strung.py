@@ -11,6 +11,7 @@ from tambour.crochet.printed.tokens import Row, Token
 
 _ROUNDS: Final = frozenset(("round", "rnd", "row", "rounds", "rnds", "rows"))
 _ENDS: Final = frozenset((":", ".", ";", ">", ")", "]"))
+_HEADED: Final = 4  # tokens of a heading, or fewer
 _YARN: Final = 3  # words of a yarn's name
 _RUN: Final = 4
 """So many lines of a text begin with such a head."""
@@ -18,7 +19,7 @@ _RUN: Final = 4
 
 def strung(rows: list[Row]) -> list[Row]:
     """``rows`` with a colon behind every such head that a line does not begin with, and a line of its own for a first round behind its yarn."""
-    rows = _led(rows)
+    rows = _called(_led(rows))
     if sum(_dash(row.tokens, 0) > 0 for row in rows) < _RUN:
         return rows
     made: list[Row] = []
@@ -60,6 +61,31 @@ def _led(rows: list[Row]) -> list[Row]:
         cuts = [0, stop + 1, *(k + 1 for k in ends), len(tokens)]
         for a, b in pairwise(cuts):
             made.append(replace(row, tokens=tokens[a:b], start=tokens[a].start, end=tokens[b - 1].end))
+    return made
+
+
+def _called(rows: list[Row]) -> list[Row]:
+    """``rows`` with "Grass round - …", under the heading GRASS, as its first round."""
+    headings: set[str] = set()
+    made: list[Row] = []
+    for row in rows:
+        tokens = row.tokens
+        if (
+            len(tokens) > _HEADED
+            and tokens[0].word in headings
+            and tokens[1].word in ("round", "rnd", "row")
+            and tokens[2].word in ("-", ":", ".")
+        ):
+            first = Token("number", "1", tokens[1].end, tokens[1].end, 1)
+            made.append(
+                replace(
+                    row, tokens=[replace(tokens[1], capital=True), first, replace(tokens[2], word=":"), *tokens[3:]]
+                )
+            )
+            continue
+        if tokens and len(tokens) <= _HEADED:
+            headings |= {tokens[0].word, tokens[0].word.removesuffix("s")}
+        made.append(row)
     return made
 
 

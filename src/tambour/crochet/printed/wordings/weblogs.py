@@ -25,6 +25,8 @@ SAID: Final = (
     (rf"^(?:gather|dial|cast(?: on)?|set|collect|pick up|make a set of) (?:a chain of )?(\d+) (?:{CHAINS})(?= ?[.,;]| ?$)", "ch {1}"),
     (rf"^((?:light |dark |pale )?(?:{HUE}))(?: yarn)? ,(?= (?:in )?(?:turning |flat )?rows(?!\S))", "with {1} yarn ."),
     (rf"(?:take|pick) up (?:the )?((?:light |dark |pale )?(?:{HUE}))(?: yarn)?(?= ?[.,;]| ?$| and\b)", "change to {1}"),
+    (r"(?<=[*(\[] )(sl st|slst|slip stitch|ss|sc) in (?:the )?loops? ,", "{1} in next st ,"),
+    (r"skip (?:the )?(?:next )?(\d+|one) (?:free )?loops?(?= ?[*,)\]])", "skip {1} st"),
     # minis
     (rf"(\d+ (?:{_KIND})(?: in (?:the )?next(?: \d+)? (?:sts?|stitch|stitches))?) then(?= \d+ (?:{_KIND}) in )", "{1} ,"),
     (rf"(\d+ (?:{_KIND})(?: in (?:the )?next(?: \d+)? (?:sts?|stitch|stitches))?) then 2 ?tog(?= ?[(\[=.]| ?$)", "{1} , dec"),
