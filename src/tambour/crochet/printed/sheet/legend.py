@@ -18,9 +18,10 @@ _LONGEST, _GAP, _LINES = 6, 2, 4
 _SHORT: Final = 5  # letters of a word that stands for another
 _KEYS: Final = frozenset(("ring", "stitch", "round", "hook", "back loops", "front loops"))
 _SHAPED: Final = re.compile(
-    r"(?:work )?(?P<into>[23]) (?:[a-z]{1,6} )?(?:in|into) (?:1|one|(?:1|one|the same|same) (?:st|stitch)|same|the same)|(?P<of>[23]) (?:[a-z]{1,8} )?(?:tog|together)"
+    r"(?:work )?(?P<into>[23]) (?:(?P<kind>[a-z]{1,6}) )?(?:in|into) (?:1|one|(?:1|one|the same|same) (?:st|stitch)|same|the same)|(?P<of>[23]) (?:(?P<some>[a-z]{1,8}) )?(?:tog|together)"
 )
 """What an increase or a decrease is, in figures: "V = 2 in 1", "A = 2 stitches together"."""
+_PLAIN: Final = frozenset(("sc", "x", "st", "sts", "stitch", "stitches"))
 _MOST: Final = 7  # words that say what one means
 
 
@@ -91,7 +92,7 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
         _one(tokens[at + 1 :], vocabulary)  # "Key: sc = single crochet"
         return
     shaped = _SHAPED.fullmatch(" ".join(t.word for t in tokens[at + 1 : end]))
-    if shaped is not None:
+    if shaped is not None and _of_sc(shaped["kind"] or shaped["some"], tokens, vocabulary):
         many = shaped["into"] or shaped["of"]
         vocabulary.define(name.word, ("inc" if shaped["into"] else "dec") + ("" if many == "2" else many))
         return
@@ -114,6 +115,14 @@ def _one(tokens: list[Token], vocabulary: Vocabulary) -> None:
         vocabulary.define(name.word, meant.value)
     elif meant.kind == "key" and meant.value in _KEYS and not (known and known[0].kind in ("key", "stitch")):
         vocabulary.mean(name.word, meant.value)
+
+
+def _of_sc(word: str | None, tokens: list[Token], vocabulary: Vocabulary) -> bool:
+    """Whether what two are worked of is a single crochet, or a loop stitch, which is one: "2 lp in the same stitch", and no "2 hdc"."""
+    if word is None or word in _PLAIN:
+        return True
+    read = vocabulary.read([t for t in tokens if t.word == word][:1])
+    return bool(read) and read[0].value in ("sc", "loopst", "fur", "stitch")
 
 
 def _behind(tokens: list[Token], vocabulary: Vocabulary) -> tuple[str, str] | None:
