@@ -204,7 +204,7 @@ _HOUSE = (
 def test_gills_are_between_the_rims_of_cap_and_stem() -> None:
     found = pattern(_HOUSE)
     placed = _placed(_HOUSE)
-    assert [p.name for p in found.parts] == ["WALLS", "CAP", "GILLS", "Large DOTS", "Medium DOTS", "DOOR", "CHIMNEY"]
+    assert [p.name for p in found.parts] == ["WALLS", "CAP", "GILLS", "large dots", "medium dots", "DOOR", "CHIMNEY"]
     assert (placed["GILLS"].spot.part, placed["CAP"].spot.part) == ("WALLS", "GILLS")
     assert placed["GILLS"].by == 0.0
     assert (found.parts[0].up or "end") == "end"
@@ -212,14 +212,14 @@ def test_gills_are_between_the_rims_of_cap_and_stem() -> None:
 
 def test_sorts_under_one_heading_are_parts_in_its_yarn() -> None:
     found = pattern(_HOUSE)
-    dots = [p for p in found.parts if "DOTS" in p.name]
+    dots = [p for p in found.parts if "dots" in p.name]
     assert [(p.copies, len([n for n in p.lines if n.in_round])) for p in dots] == [(3, 1), (2, 1)]
     hues = [
         next(i.numbers for n in p.lines for i in n.items if isinstance(i, Action) and i.name == "color") for p in dots
     ]
     assert hues[0] == hues[1]
     assert min(hues[0]) > 200
-    assert {_placed(_HOUSE)[f"Large DOTS.{k}"].spot.part for k in (1, 2, 3)} == {"CAP"}
+    assert {_placed(_HOUSE)[f"large dots.{k}"].spot.part for k in (1, 2, 3)} == {"CAP"}
 
 
 def test_what_a_part_stands_on_is_not_what_it_is_tucked_behind() -> None:
@@ -337,9 +337,20 @@ def test_grass_round_grows_from_the_loops_that_are_waiting() -> None:
 
 def test_sorts_of_spots_that_are_scattered_lie_among_each_other() -> None:
     words = _HOUSE.replace("Large, make 3", "Large, make 4").replace("Medium, make 2", "Medium, make 4")
-    spots = [(r.spot.round, r.spot.stitch) for part, r in _placed(words).items() if "DOTS" in part]
+    spots = [(r.spot.round, r.spot.stitch) for part, r in _placed(words).items() if "dots" in part]
     assert len(spots) == len(set(spots)) == 8
     heights = [
-        [r.spot.round for part, r in _placed(words).items() if part.startswith(sort)] for sort in ("Large", "Medium")
+        [r.spot.round for part, r in _placed(words).items() if part.startswith(sort)] for sort in ("large", "medium")
     ]
     assert max(min(h) for h in heights) < min(max(h) for h in heights)
+
+
+def test_sorts_and_their_rounds_in_one_line() -> None:
+    words = (
+        "HUT\n\nWALLS (cream)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc in every st (12)\nRnd 3-6: sc in every st (12)\nFasten off.\n\n"
+        "SPOTS (white). 2 big ones: 6 sc in MR (6) / inc in every st (12) / *1 sc, inc* 6 times (18). 3 little: only 6 sc in MR (6).\n\n"
+        "DOOR (brown). Ch 5.\nRow 1: from 2nd ch, 4 sc (4)\nRow 2: ch 1, turn, 4 sc (4)\n"
+    )
+    parts = pattern(words).parts
+    assert [(p.name, p.copies) for p in parts] == [("WALLS", 1), ("big spots", 2), ("little spots", 3), ("DOOR", 1)]
+    assert [[line.stated for line in p.lines if line.in_round] for p in parts[1:3]] == [[6, 12, 18], [6]]

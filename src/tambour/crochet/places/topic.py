@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.places import face
+from tambour.crochet.places.curt import fuller
 from tambour.crochet.places.habits import ROUND, SCATTERED
 from tambour.crochet.places.hosts import LIMBS
 from tambour.crochet.places.names import Made, kind_of, mentions, one
@@ -113,6 +114,15 @@ def _starts(text: str, begin: int) -> int:
             break
         line = above
     return line
+
+
+def told_whole(text: str, begin: int, words: str, names: list[str]) -> str:
+    """A sentence of the assembly, at ``begin`` of a text, with the verb or the part that it leaves out; as it is where it leaves out none.
+
+    names : of the parts that are known
+    """
+    full = fuller(words, names)
+    return full if full != words else about(text, begin, words, tuple(names))
 
 
 def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:

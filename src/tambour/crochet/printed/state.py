@@ -220,7 +220,6 @@ class State:
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin
         self.heading: Heading | None = None
-        self.sorts: tuple[str, list[Line]] = "", []  # the heading under which sorts of it may stand, and its yarn
         self.under: Heading | None = None  # the one over a round that goes on with the part before it
         self.mode = ""
         self.advised = False  # its notes are what is advised when all is made

@@ -12,13 +12,12 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
-from tambour.crochet.places.curt import fuller
 from tambour.crochet.places.hear import Heard, Sentence
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.names import one as singular
 from tambour.crochet.places.said import size
 from tambour.crochet.places.terse import under, verb_of
-from tambour.crochet.places.topic import about
+from tambour.crochet.places.topic import told_whole
 from tambour.crochet.places.toy import Assembled, a_set, faced, toys
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
@@ -161,16 +160,11 @@ def assembled(
         words = glossed.text
         hues = tuple((glossed.at(place), hue) for place, hue in shades(one.tokens, palette, span.start))
         part = one.part if not one.headed or alike(one.headed, [one.part]) else ""
-        full = words if exact is not None else fuller(words, names)
-        said_whole, far = full != words, len(full) - len(words)
-        hues, words = tuple((max(0, place + far), hue) for place, hue in hues), full
+        full = words if exact is not None else told_whole(built.pattern.text.text, span.start, words, names)
+        hues, words = tuple((max(0, place + len(full) - len(words)), hue) for place, hue in hues), full
         held = _POSE.match(built.pattern.text.text, span.end)
         if held is not None and exact is None:
             words = " ".join((words, _BACK.sub("backwards", held["how"])))
-        unsaid = exact is None and not said_whole
-        carries = about(built.pattern.text.text, span.start, words, tuple(names)) if unsaid else words
-        hues = tuple((max(0, place + len(carries) - len(words)), hue) for place, hue in hues)
-        words = carries
         led = "" if exact is not None else under(english(one.headed.lower(), built.pattern.terms).text, words, names)
         if led:
             hues = tuple((place + len(led) - len(words), hue) for place, hue in hues)

@@ -58,14 +58,9 @@ def headed(p: State, row: Row, tokens: list[Token]) -> int:
         or tokens[0].value in (*MODES, "round", "row", "repeat")
     ):
         return 0
-    worked = tokens[at + 1].value in ("round", "row") and any(t.value == "make" for t in tokens[:at])
-    if (
-        tokens[at + 1].word not in ("see", "fold")
-        and not worked
-        and not any(
-            t.kind == "stitch" or (t.kind == "key" and t.value in ("ring", "make", "with", "begin", "as", "join"))
-            for t in tokens[at + 1 :]
-        )
+    if tokens[at + 1].word not in ("see", "fold") and not any(
+        t.kind == "stitch" or (t.kind == "key" and t.value in ("ring", "make", "with", "begin", "as", "join"))
+        for t in tokens[at + 1 :]
     ):
         return 0
     raw = [t for t in row.tokens if t.end <= tokens[at].end]

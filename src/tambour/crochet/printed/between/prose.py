@@ -32,7 +32,7 @@ from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.parts.copied import copies_of
 from tambour.crochet.printed.parts.formed import forms
 from tambour.crochet.printed.parts.hued import hued
-from tambour.crochet.printed.parts.naming import family, over, sorted_by
+from tambour.crochet.printed.parts.naming import family, over
 from tambour.crochet.printed.sheet.notes import (
     BELOW,
     MODES,
@@ -172,8 +172,6 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         cut = tokens[at].end
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= cut) == some]
-            if not some and part[0].value in ("round", "row") and not any(t.kind == "stitch" for t in part):
-                part = [Token("key", "as", cut, cut, "as"), *part]  # "work Rounds 1 to 3 of the walls"
             text_line(p, Row(raw, raw[0].start, raw[-1].end, row.marked if some else 0), part)
         return
     listed = tokens[0].value == "abbreviations" or p.mode == "abbreviations"
@@ -294,16 +292,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             pasted = named and (founds(p, near=1) or (_yarn_below(p) and founds(p, near=2)))
             p.heading = found if found.strong or (pasted and _close(p)) else None  # "Head", and its rounds below
         elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None or _far(p, found):
-            if sort := sorted_by(p.sorts[0], found.name):
-                found, p.lead = replace(found, name=sort), p.lead or list(p.sorts[1])
             p.over = over(p.heading, found) or p.over
             p.early["family"] = family(p.heading, found)
             p.heading = found
             headed_by(p)
-            if not sort:
-                hue = p.palette.first(text[row.start : row.end])
-                dye = [] if hue is None else [Line((Action("color", whole, numbers=hue),), whole, False)]
-                p.sorts = found.name, p.lead or dye
         else:
             p.pair = p.heading  # "Ears (make 2)" stays over "Inside Ear:", which "Outside Ear:" may follow
         if found.copies > 1 and found.name == "":

@@ -9,10 +9,9 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.places import face
 from tambour.crochet.places.assembling import TO, assembling
-from tambour.crochet.places.curt import fuller
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.terse import spoken, under
-from tambour.crochet.places.topic import about
+from tambour.crochet.places.topic import told_whole
 from tambour.crochet.printed.between.assembly import Said, alike, eyes_meant
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.state import State
@@ -115,8 +114,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
         )
         if not named or stitches:
             return False
-    full = fuller(heard, names)
-    heard = full if full != heard else about(p.source.text.text, tokens[0].start, heard, tuple(names))
+    heard = told_whole(p.source.text.text, tokens[0].start, heard, names)
     part, headed = p.parts[-1].name, p.heading.name if p.heading is not None else ""
     led = under(english(headed.lower(), p.language.code).text, heard, names)
     if not (

@@ -75,17 +75,6 @@ def family(above: Heading | None, below: Heading) -> str:
     return above.name if ranked and len(kinds[0]) == 1 and kinds[0] == kinds[1] else ""
 
 
-_SORTS: Final = frozenset(
-    "large big medium middle small little tiny mini larger bigger smaller biggest smallest largest long short".split()
-)
-
-
-def sorted_by(lead: str, name: str) -> str:
-    """The name of a sort of what a heading names, "Large" under "SPOTS"; "" where it is a name of its own."""
-    words = name.lower().split()
-    return f"{name} {lead}" if lead and words and all(w in (*_SORTS, "one", "ones") for w in words) else ""
-
-
 _RANKED: Final = frozenset("first 1st one second 2nd left right".split())
 
 

@@ -40,7 +40,6 @@ _COUNTING: Final = re.compile(r"[ \t]*(\d{1,3})(?:[ \t]*[-–—/][ \t]*(\d{1,3}
 """A line with a number of its own, or of several rounds: "15-18. 12 sc"."""
 _LABEL: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}(?:\([^()]{0,20}\)[ ]?)?:")
 _TITLE: Final = re.compile(r"[A-Z][^.:,;()]{1,40}(?:\([^()]{2,40}\)[ ]?){1,2}[.:]?$")  # "Wings (make 2)"
-_MADE: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}, ?make \d{1,2}:")
 _COPIES: Final = re.compile(r"[A-Za-z][\w /&-]{1,40}\((?:make|work) [^()]{1,20}\)")
 _UNENDED: Final = frozenset(
     "in into each every next of the to from and with back front work working same first last".split()
@@ -248,12 +247,7 @@ def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list
         return True
     if said.count("|") > 1 and text[above.start : above.end].count("|") > 1:
         return True
-    if (
-        _POINT.match(said)
-        or _MADE.match(said)
-        or begins(row.tokens, not ended)
-        or _TITLE.match(text[above.start : above.end].strip())
-    ):
+    if _POINT.match(said) or begins(row.tokens, not ended) or _TITLE.match(text[above.start : above.end].strip()):
         return True
     if said[:1].isupper() and _COUNTED.search(text, above.start, above.end):
         return True
