@@ -354,3 +354,29 @@ def test_sorts_and_their_rounds_in_one_line() -> None:
     parts = pattern(words).parts
     assert [(p.name, p.copies) for p in parts] == [("WALLS", 1), ("big spots", 2), ("little spots", 3), ("DOOR", 1)]
     assert [[line.stated for line in p.lines if line.in_round] for p in parts[1:3]] == [[6, 12, 18], [6]]
+
+
+_COTTAGE = (
+    "COTTAGE\n\nWALLS, part one (cream)\n" + _BALL.format(last=9).replace("[", "(").replace("]", ")") + "Do not cut! Door first.\n\n"
+    "DOOR (brown)\nCh 5.\nRow 1: from 2nd ch, 4 sc (4)\nRow 2-4: ch 1, turn, 4 sc (4)\n\n"
+    "WINDOWS (make 2)\nYellow\nRnd 1: 6 sc in MR (6)\nRnd 2: inc in every st (12)\n\n"
+    "Now sew these on\nThe door goes opposite, doorstep exactly on the Rnd 5 edge.\nThe windows right and left from the door, centre of the window at about Rnd 7.\n\n"
+    "WALLS, part two (still cream)\nTake your loop back on the hook.\nRnd 10: *1 sc, inc* 12 times (36)\nSl st, cut.\n\n"
+    "ROOF (red)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc in every st (12)\nRnd 3: *1 sc, inc* 6 times (18)\nRnd 4: *2 sc, inc* 6 times (24)\n"
+    "Rnd 5: *3 sc, inc* 6 times (30)\nRnd 6: *4 sc, inc* 6 times (36)\nRnd 7-9: sc in every st (36)\n\n"
+    "SPOTS (white). 3 big ones: 6 sc in MR (6) / inc in every st (12). 4 little: only 6 sc in MR (6).\n\n"
+    "CHIMNEY (grey)\nRnd 1: 6 sc in MR (6)\nRnd 2-4: sc in every st (6)\n\n"
+    "PUTTING THE ROOF ON\nSew onto the red first: chimney halfway up the slope on the right hand side (Rnd 4 to 6), upright.\n"
+    "Then lay the roof on the plate, window over door, wrong sides together.\n"
+)  # fmt: skip
+
+
+def test_a_cottage_of_rows_and_parts_is_one_thing_under_its_roof() -> None:
+    found, placed = pattern(_COTTAGE), _placed(_COTTAGE)
+    assert found.toys == ()
+    assert {part: placed[part].spot.part for part in ("DOOR", "WINDOWS.1", "ROOF", "CHIMNEY", "big spots.1", "little spots.4")} == {
+        "DOOR": "WALLS", "WINDOWS.1": "WALLS", "ROOF": "WALLS", "CHIMNEY": "ROOF", "big spots.1": "ROOF", "little spots.4": "ROOF",
+    }  # fmt: skip
+    assert (placed["DOOR"].spot.round, placed["WINDOWS.1"].spot.round, placed["CHIMNEY"].spot.round) == (5.0, 7.0, 5.0)
+    assert (next(p for p in found.parts if p.name == "WALLS").up or "end") == "end"
+    assert placed["CHIMNEY"].spot.stitch is not None

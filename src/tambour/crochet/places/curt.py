@@ -26,7 +26,7 @@ _OWN: Final = re.compile(
 )
 """What of a part is sewn: "Legs: the closed edge at round 8"."""
 _BARE: Final = re.compile(
-    rf"^{_LIST}(?P<what>(?:(?:the|both|all|two|four)\s+)*(?:[a-z]+\s+){{1,3}}?)(?P<on>upon|onto|on|behind|around|evenly spaced around)\s+(?=(?:the|its|his|her|this|that|[a-z]+\b))",
+    rf"^{_LIST}(?P<what>(?:(?:the|both|all|two|four)\s+)*(?:[a-z]+\s+){{1,3}}?)(?P<on>upon|onto|on|behind|around|evenly spaced around|half ?way (?:up|down))\s+(?=(?:the|its|his|her|this|that|[a-z]+\b))",
     re.IGNORECASE,
 )
 """A part, and what it is on: "Ears upon the head"."""

@@ -62,6 +62,7 @@ _IT: Final = re.compile(
     r"evenly\b|down\b|across\b|centered\b|under\b|below\b|above\b|along\b|each\b|using\b|as\b)"
 )
 """A sentence that says what is done with the part that it stands in."""
+_THESE: Final = re.compile(r"\s(?:them|these|both)\b")
 _CLOSED: Final = re.compile(r"\b(?:sew|seam|whip|stitch|close)\w*\b.*\b(?:closed|shut|close)\b|^\W*stuff\b")
 """What is done with a part before "it" is sewn on."""
 _SEWN_EYES: Final = re.compile(r"embroider|\b(?:french knots?|satin|backstitch\w*)\b")
@@ -379,7 +380,7 @@ class Heard:
             hosts = [m for m in hosts if m.copies[0][0] != meant[0].copies[0][0]]
         if not objects and sentence.part and _IT.match(low, verb.start()):
             known = next((p for p in self.parts if p.name == sentence.part), None)
-            if known is not None:
+            if known is not None and not (known.copies == 1 and _THESE.search(low, verb.start())):
                 every = tuple((known, k) for k in range(1, known.copies + 1))
                 objects = [Mention(0, 0, known.words[-1] if known.words else "", every, True)]
                 hosts = [m for m in hosts if m.copies[0][0] != known]

@@ -149,6 +149,8 @@ class Hosts(Likely):
         if kind == "hat" and hair and hair[0] != made and p.host[0] not in hair and not p.where.says:
             p.host = (hair[0], 1)  # over the hair, not inside of it
         crowned = p.host[0] == head or (head is None and p.host[0] == main and self._goes_on_head(p))
+        if kind == "spot" and main.kind == "stem" and hats and p.host[0] == main and not p.where.says:
+            p.host = (hats[0], 1)  # a toadstool's are on its cap
         if kind in _CROWNING and crowned and hats and p.where.rounds is None and not p.where.beside:
             p.host = (next((m for m in hats if not m.hair), hats[0]), 1)
         if (made.shod or made.tipped) and p.host[0] == main and p.where.rounds is None:

@@ -361,7 +361,7 @@ class Putter(Pairer):
             if pole is not None:
                 return replace(pole, span=put.span), way
         roughly = put.kind in _ON_TOP and not (put.kind == "neck" and self._lies_name(host))
-        off = bool(at.words & {"left", "right"}) and "top" not in at.words
+        off = (bool(at.words & {"left", "right"}) and "top" not in at.words) or "chimney" in put.copies[0][0].words
         pole = host.pole(direction, _ROUGHLY if roughly else 0.9) if len(put.copies) == 1 and not off else None
         if pole is not None and put.host is not None and put.host[0].kind == "hat" and pole.round > host.high:
             pole = host.begun or pole  # the top of a cap is where it begins, not its opening

@@ -116,11 +116,20 @@ def _starts(text: str, begin: int) -> int:
     return line
 
 
+_FIRST_SEWN: Final = re.compile(r"^\W*(?:sew|attach|stitch|pin)\b[^:.]{0,40}:\s+", re.IGNORECASE)
+"""What stands before the first part that is sewn: "Sew onto the red first: chimney halfway up the slope"."""
+
+
 def told_whole(text: str, begin: int, words: str, names: list[str]) -> str:
     """A sentence of the assembly, at ``begin`` of a text, with the verb or the part that it leaves out; as it is where it leaves out none.
 
     names : of the parts that are known
     """
+    lead = _FIRST_SEWN.match(words)
+    if lead is not None and not mentions(lead[0].lower(), [Made(n, 1) for n in names]):
+        rest = words[lead.end() :]
+        if (full := fuller(rest, names)) != rest:
+            return full
     full = fuller(words, names)
     return full if full != words else about(text, begin, words, tuple(names))
 
@@ -139,7 +148,9 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
         return f"the eyes {words[they.end() :]}"
     words = SCATTERED.sub(r"\1", _FACING.sub("", words))
     if (set_ := _SET.match(words.lower())) is not None:
-        return f"place {set_[1]} {_SO.sub('', words[set_.end() :])}"
+        where_to, _, rest = _SO.sub("", words[set_.end() :]).partition(",")
+        others = mentions(rest.lower(), [Made(n, 1) for n in names])  # ", attic window over door", is what is seen then
+        return f"place {set_[1]} {where_to}" + ("" if others or not rest else f",{rest}")
     two = _JOINT.match(text, line)
     if two is not None and two.start(1) <= begin and (one_ := _part(two[1], names)) and (other := _part(two[3], names)):
         part, host = _onto(one_, other, two["how"], (one_, other))

@@ -249,7 +249,10 @@ def a_set(built: Built, puts: list[Put], over: dict[str, str]) -> list[list[str]
     puts : what the sentences put where; over : what stands over a part's heading, where something does
     """
     parts = [Made(section.name, section.copies) for section in built.pattern.parts]
-    if any({"head", "body"} & set(part.kinds) for part in parts):
+    kinds = {kind for part in parts for kind in part.kinds}
+    if {"head", "body"} & kinds or (
+        "hat" in kinds and {"stem", "door"} <= kinds
+    ):  # a house has walls, a door and a roof
         return [[part.name for part in parts]]
     sewn = {c[0].name for p in puts for c in p.copies if p.host is not None}
     names = [tuple(part.words) for part in parts]

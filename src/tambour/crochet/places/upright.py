@@ -253,7 +253,9 @@ class Upright(Toy):
         if len(counts) > 4 and counts[-1] >= 2 * counts[-2] > 20:
             return "start"  # a ruffle hangs
         wide = self.open(f"{main.name}.1")
-        single = [p for p in self.heard.puts if not main.kind and len(p.copies) == 1 and p.copies[0][0] != main]
+        single = [
+            p for p in self.heard.puts if main.kind in ("", "stem") and len(p.copies) == 1 and p.copies[0][0] != main
+        ]
         lids = [
             p for p in single if (p in mine and p.kind == "hat") or (p.host is None and not p.kind and not p.where.says)
         ]
