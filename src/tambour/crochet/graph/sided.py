@@ -1,5 +1,6 @@
 """Sided: a body stands so that a pair of parts that are crocheted into one of its rounds hangs at its sides, and a tall one
-on an oval has a wide side ahead; a tail that is crocheted in hangs at its back; a bib in another yarn is ahead, or below where it lies.
+on an oval has a wide side ahead; a tail that is crocheted in hangs at its back; a bib in another yarn is ahead, or below where it lies;
+and where a text says on which side its rounds begin, they begin there.
 
 Where a round begins, words do not say, and in the hand it wanders: what is counted from there is right as the pair is left and right.
 """
@@ -31,6 +32,18 @@ LEAST, MOST = 0.25, 0.75
 _SHARED = 16
 """which has so many stitches or more."""
 
+_BEGIN = (
+    r"(?:\b(?:rounds?|rnds?|rds?) (?:begins?|starts?)\b|\b(?:beginning|start) of (?:the|each|every|your|a) (?:rounds?|rnds?|rds?)\b|\b(?:each|every) (?:round|rnd|rd) (?:begins|starts)\b"
+    r"|\b(?:the|this) (?:next )?st(?:itch)? (?:that )?you are (?:now )?(?:about to|going to) (?:make|work|crochet)\b)"
+)
+_SEAM = re.compile(
+    _BEGIN
+    + r"(?:(?! not )[^.;\n\d]){0,40}?\b(?:mid(?:dle|line)|cent(?:er|re)) (?:of (?:the |his |her |its |[a-z]+'s )?)?"
+    r"(?P<side>back|belly|tummy|underside|chest|front|breast|stomach)\b(?! (?:loops?|legs?|paws?|post))",
+    re.IGNORECASE,
+)
+"""On which side the rounds of a piece begin: "The stitch you are about to make is the middle of his back"."""
+
 
 def sided(spots: Spots, x: Array) -> Array:
     """First positions ``x`` (N, 3) with such bodies turned, or, above the legs that they are worked on from, twisted."""
@@ -39,7 +52,16 @@ def sided(spots: Spots, x: Array) -> Array:
         if isinstance(record, Placed) and record.through and record.spot.part in spots.parts:
             pairs.setdefault((record.spot.part, record.spot.round), []).append(record)
     done: set[int] = set()
+    for part in range(len(spots.built.parts)):
+        if (side := _begins_on(spots, part)) is None:
+            continue
+        done.add(part)
+        lies = spots.up(part) in ("side", "back")  # what was behind is below then
+        if (side == "back") == lies:
+            x = _turned(spots, x, part, spots.last(part), math.pi)
     for part, shared, nodes in _limbs(spots):
+        if part in done:
+            continue
         done.add(part)
         way = x[nodes].mean(0) - x[spots.stitches(shared)].mean(0)
         if math.hypot(way[0], way[2]) >= 0.5:
@@ -163,6 +185,19 @@ def _bib(spots: Spots, x: Array, part: int) -> tuple[float, float] | None:
         return None
     way = np.mean(ways, axis=0)
     return (float(way[0]), float(way[2])) if math.hypot(way[0], way[2]) >= 0.5 else None
+
+
+def _begins_on(spots: Spots, part: int) -> str | None:
+    """On which side ("back" or "front", which is the belly of what lies) the rounds of a printed toy's part begin; None where nothing says it."""
+    pattern = spots.built.pattern
+    section = pattern.parts[spots.built.parts[part].section]
+    if not pattern.terms or spots.in_rows[part]:
+        return None
+    end = min(
+        (p.span.start for p in pattern.parts if p.span.start > section.span.start), default=len(pattern.text.text)
+    )
+    found = _SEAM.search(pattern.text.text, section.span.start, end)
+    return None if found is None else "back" if found["side"].lower() == "back" else "front"
 
 
 def _tail(spots: Spots, x: Array, name: str) -> tuple[float, float] | None:

@@ -393,6 +393,7 @@ class Assembly(Hosts):
                 self.made.apart.append(free[0][0].name)
                 free = []
             if not free:
+                self._said_again(p, puts)
                 continue
             seen.update(free)
             puts.append(replace(p, copies=free))
@@ -454,11 +455,8 @@ class Assembly(Hosts):
             thing = f.what.split()[-1]
             if thing == "eyes" and glass and not f.where.says and f.what == "eyes":
                 continue
-            alike = [
-                k
-                for k, g in enumerate(made)
-                if g.what.split()[-1] == thing and (f.host is None or g.host in (None, f.host))
-            ]
+            alike = [k for k, g in enumerate(made) if g.what.split()[-1] == thing]
+            alike = [k for k in alike if f.host is None or made[k].host in (None, f.host)]
             alike = [k for k in alike if not (made[k].where.says and f.where.says)]
             if not alike or thing not in _ONCE:
                 made.append(f)

@@ -144,3 +144,13 @@ def assembling(text: str, names: list[str]) -> bool:
         or where(low).end is not None
         or re.search(r"\b(?:as shown|as pictured|in place|tog|together|photo)\b", low)
     )
+
+
+def put_eyes(low: str, eyes: int) -> bool:
+    """Whether eyes are what is put, not where something is put."""
+    verb = VERB.search(low)
+    between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
+    return not re.search(
+        r"\b(?:below|under|beneath|underneath|above|between|beside|from|to|of|as|with|around|over|atop|near|behind|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
+        between,
+    )

@@ -11,7 +11,9 @@ from tambour.core.check import Array
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Embroidery, Spot
+from tambour.crochet.places import lines
 from tambour.crochet.places.stand import Host
+from tambour.crochet.words.numbers import QUANTITY, quantity
 
 Stroke = list[tuple[float, float]]
 
@@ -26,7 +28,7 @@ WORDS: Final[dict[str, str]] = {
     "glints": r"\blines?\b(?=[^.;]*\b(?:below|under|beneath|beside|next to) (?:of )?(?:each|both|every) (?:\w+ )?eyes?\b)",
     "nostrils": r"\bnostrils?\b",
     "nose": r"\b(?:nose|snout)\b",
-    "claws": r"\b(?:claws?|toes|paw details?|fingers)\b",
+    "claws": r"\b(?:claws?|toes|toe-?nails?|paw details?|fingers)\b",
     "navel": r"\b(?:navel|belly ?button)\b",
     "eyes": r"\beye(?:s|lids?)?\b",
     "dots": r"\b(?:dots?|spots?|french knots?|seeds?)\b",
@@ -51,7 +53,7 @@ def motifs(text: str) -> list[str]:
     text = re.sub(r"\bbetween (?:the )?(?:ears?|head|neck) and (?:the )?(?:nose|mouth|eyes?)\b", " ", text)
     plain = re.sub(
         r"\b(?:below|under|beneath|above|over|between|beside|next to|in line with|level with|bottom of|top of|tip of|"
-        r"cent(?:er|re) of|sides? of|from|near|to|towards?|facing|behind|against|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around|across)\s+"
+        r"cent(?:er|re) of|sides? of|per|from|near|to|towards?|facing|behind|against|of|onto|(?<!stitch )(?<!sew )(?<!embroider )on|around|across)\s+"
         r"(?:the\s+|each\s+|both\s+|safety\s+|its\s+|your\s+|left\s+|right\s+|his\s+|her\s+)*(?:bottom of the )?"
         r"(?:eyes?|nose|mouth|muzzle|snout|cheeks?|ears?|smile|eyebrows?)\b",
         " ",
@@ -71,12 +73,12 @@ def motifs(text: str) -> list[str]:
         names.remove("dots")
     if len(names) > 1 and "dots" in names:
         names.remove("dots")
-    return names
+    return names or [drawn for drawn in (lines.called(text),) if drawn]
 
 
 def found(name: str, text: str) -> tuple[int, int] | None:
     """Where a text speaks of a motif for the first time."""
-    seen = _SEEN[name].search(text)
+    seen = (lines.CROSS if name == "cross" else lines.LINES if name == "lines" else _SEEN[name]).search(text)
     return (seen.start(), seen.end()) if seen else None
 
 
@@ -93,8 +95,20 @@ def styled(name: str, text: str) -> str:
     return name
 
 
-def strokes(name: str, wide: float) -> list[Stroke]:
-    """The strokes of a motif ``wide`` stitches wide, about (0, 0): to the right, up; of a pair those of the right one."""
+_WHISKERS: Final = re.compile(
+    rf"\b({QUANTITY})\s+(?:[a-z]+\s+)?whiskers?\s+(?:per|on|to|at|in)\s+(?:each|either|every|both|(?:a\s+)?(?:cheek|side))"
+    rf"|\bwhiskers?\W+({QUANTITY})\s+(?:and\s+({QUANTITY})\b|(?:on|per|to|at)\s+(?:each|either|every|side|cheek))"
+)
+
+
+def of_whiskers(text: str) -> int:
+    """How many whiskers a sentence (in small letters) has on each side; three where it does not say it."""
+    said = _WHISKERS.search(text)
+    return 3 if said is None else min(max(round(quantity(said[1] or said[2])), 1), 5)
+
+
+def strokes(name: str, wide: float, many: int = 3) -> list[Stroke]:
+    """The strokes of a motif ``wide`` stitches wide, about (0, 0): to the right, up; of a pair those of the right one; ``many`` whiskers."""
     w = wide
     if name == "nose":
         rows = max(6, round(2.8 * w))  # yarn beside yarn, on a nose that bulges too
@@ -121,7 +135,7 @@ def strokes(name: str, wide: float) -> list[Stroke]:
     if name == "brows":
         return [[(-0.5 * w, -0.08 * w), (0.5 * w, 0.16 * w)]]
     if name == "whiskers":
-        return [[(0.0, 0.27 * k * w), (w, 0.6 * k * w)] for k in (1, 0, -1)]
+        return [[(0.0, 0.27 * k * w), (w, 0.6 * k * w)] for k in np.linspace(1.0, -1.0, many)]
     if name == "lashes":
         return [[(0.25 * w * k, 0.0), (0.45 * w * k, 0.4 * w)] for k in (-1, 0, 1)]
     if name == "lashes down":
@@ -176,6 +190,8 @@ USUAL: Final[dict[str, float]] = {
     "navel": 1.0,
     "nostrils": 0.7,
     "dots": 1.0,
+    "lines": 3.0,
+    "cross": 3.0,
 }
 """How many stitches wide a motif is, unless it is said."""
 _THICK: Final = {
@@ -202,6 +218,7 @@ def embroidered(
     span: Span,
     tall: float | None = None,
     stitch: float = 0.0,
+    many: int = 3,
 ) -> list[Embroidery]:
     """A motif about a point of a host, in strokes that lie on its fabric; ``mirror``: the left one of a pair;
     ``tall``: how many rounds it is high, where that is said; ``stitch``: its width, mm, which thread goes with."""
@@ -210,7 +227,7 @@ def embroidered(
     along, up = frame.along[0], frame.up[0]
     made = []
     thick = max(_THICK.get(name.removesuffix(" down"), 1.8), round(_YARN * stitch, 1))
-    drawn = strokes(name, wide)
+    drawn = strokes(name, wide, many)
     heights = [y for stroke in drawn for _, y in stroke]
     high, middle = max(heights) - min(heights), 0.5 * (max(heights) + min(heights))
     for stroke in drawn:

@@ -11,8 +11,9 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
-from tambour.crochet.places import face
+from tambour.crochet.places import face, lines
 from tambour.crochet.places.beside import BELOW
+from tambour.crochet.places.habits import ST
 from tambour.crochet.places.hairdo import before, hairs, mane
 from tambour.crochet.places.hear import Feature, Put
 from tambour.crochet.places.masks import eye_on, is_mask
@@ -21,6 +22,7 @@ from tambour.crochet.places.said import size
 from tambour.crochet.places.snouts import BROW, CHEEKS
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import Way, usual
+from tambour.crochet.words.numbers import QUANTITY, quantity
 
 _FACE: Final = 16.0
 """How many stitches a face is wide for which the usual sizes of motifs are."""
@@ -47,6 +49,11 @@ _BESIDE_EACH: Final = 0.8
 """Two cheeks are no wider than this share of the way from the one to the other."""
 _WIDELY: Final = 0.2
 """How far off the middle of the front eyes are at the most that make room for a beak, as a share of the round."""
+_OVER_BACK: Final = re.compile(
+    rf"\b({QUANTITY})\s*{ST}\s+(?:in\s+)?between\s+(?:(?:the|both)\s+)?(?:eyes|them|two)\s+(?:over|across|along)\s+(?:the|his|her|its)\s+(?:back|top|head)\b"
+)
+_HANGS, _DEEP = 0.24, 1.5
+"""How far a smile as wide as is said hangs, for its width, and in rounds at the most."""
 _TINY: Final = 0.7
 """How large something is that is called tiny, little or small."""
 _LED: Final = 400
@@ -69,6 +76,7 @@ class Facer(Putter):
         if f.guess and any("eye" in p.kinds for p in self.work.parts):
             return []  # that it is crocheted with
         host = self._faced(f, "eye")
+        f = self._over_back(f, host)
         way = self._told(
             usual("eye", 2, lying=self._lies((self.work.main, 1)) and host.name == self.work.main.name)[0], f.where, 2
         )
@@ -94,6 +102,19 @@ class Facer(Putter):
         if not f.where.says:
             self.work.made.guessed.append(("eyes", f"eyes on {host.name}"))
         return [Eye(s, big, color, f.span) for s in spots]
+
+    def _over_back(self, f: Feature, host: Host) -> Feature:
+        """Eyes of what lies as far apart as a sentence behind theirs says: "You should have 26 stitches between the eyes over the back"."""
+        lies = host.name == self.work.main.copy(1) and self._lies((self.work.main, 1))
+        end = self.work.text.find("\n", f.span.end)
+        said = (
+            _OVER_BACK.search(self.work.text, f.span.end, len(self.work.text) if end < 0 else end)
+            if f.span.end
+            else None
+        )
+        if not lies or said is None or f.where.apart is not None or f.where.pair is not None:
+            return f
+        return replace(f, where=replace(f.where, apart=quantity(said[1]) + 1.0))
 
     def _pupils(self, f: Feature) -> list[Finish] | None:
         """Safety eyes in the middle of the eyes that were crocheted, where they are sewn on and nothing says another place."""
@@ -224,6 +245,8 @@ class Facer(Putter):
     def feature(self, f: Feature) -> list[Finish]:
         """Something that is embroidered, or cheeks of felt."""
         work, name = self.work, f.what
+        if name in ("lines", "cross"):
+            return self._lines(f)
         host = self._faced(f, name)
         f = replace(f, where=self._counted(f.where, host))
         if name == "hair":
@@ -234,6 +257,8 @@ class Facer(Putter):
         tall = None
         if f.where.rounds is not None and not f.where.rounds[2] and f.where.rounds[1] > f.where.rounds[0]:
             tall = f.where.rounds[1] - f.where.rounds[0]
+        if tall is None and f.where.rounds is not None and name == "smile" and f.where.wide:
+            tall = min(_HANGS * f.where.wide, _DEEP)  # about the round that is said
         large = min(2.2, max(0.7, 2.0 * float(host.box[1][0]) / _FACE))
         wide = min(f.where.wide or large * face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
         if re.search(rf"\b(?:tiny|little|small)\s+(?:\w+\s+)?{name.split()[-1]}", f.text) and not f.where.wide:
@@ -276,7 +301,8 @@ class Facer(Putter):
             for p in points:
                 mirror = bool(p[0] < host.box[0][0])
                 drawn = "lashes down" if name == "lashes" and self.asleep else name
-                made += face.embroidered(host, drawn, p, wide, mirror, color, f.span, stitch=self.work.stitch)
+                many = face.of_whiskers(f.text)
+                made += face.embroidered(host, drawn, p, wide, mirror, color, f.span, None, self.work.stitch, many)
             return self._by_rounds(host, made, wide) if name == "whiskers" and f.where.rounds is None else made
         point = self._single(f, host, name, wide)
         if name == "nose" and re.search(r"\bfelt\b", f.text):
@@ -287,21 +313,39 @@ class Facer(Putter):
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
 
+    def _lines(self, f: Feature) -> list[Finish]:
+        """Straight stitches on what is named, on all its copies; none where nothing is."""
+        if f.host is None:
+            return []
+        made: list[Finish] = []
+        for k in range(1, f.host[0].copies + 1):
+            host = self.work.host((f.host[0], k), f.region if f.host[0] == self.work.main else "")
+            own = replace(f, where=self._counted(f.where, host))
+            if own.where.rounds is not None and not all(
+                self.stand.there(Spot(host.name, n, None)) for n in own.where.rounds[:2]
+            ):
+                return []
+            middle = self._single(own, host, f.what, 3.0) if own.where.says else None
+            made += lines.drawn(host, f.what, middle, f.text, own.where, f.color or face.DARK, f.span)
+        return made
+
     def _by_rounds(self, host: Host, made: list[Finish], wide: float) -> list[Finish]:
         """Whiskers of a head that stands, by its rounds and stitches: alike on both sides, and below the eyes."""
         lines = [r for r in made if isinstance(r, Embroidery) and r.spots[0].stitch is not None]
-        if abs(float(host.axis[1])) < _STANDS or len(lines) != 6:
+        if abs(float(host.axis[1])) < _STANDS or len(lines) < 2 or len(lines) % 2:
             return made
-        middle = host.middle(lines[1].spots[0].round)
-        level = float(np.mean([lines[k].spots[0].round for k in (1, 4)]))
-        off = float(np.mean([abs((lines[k].spots[0].stitch or 0.0) - middle) for k in (1, 4)]))
+        each = len(lines) // 2
+        mid = [lines[k] for side in (0, each) for k in {side + (each - 1) // 2, side + each // 2}]
+        middle = host.middle(mid[0].spots[0].round)
+        level = float(np.mean([r.spots[0].round for r in mid]))
+        off = float(np.mean([abs((r.spots[0].stitch or 0.0) - middle) for r in mid]))
         eyes = self.known.get("eye")
         if eyes is not None and eyes[0] == host.name:
             eye, down = host.near(eyes[1][0]).round, 1.0 if host.axis[1] < 0.0 else -1.0
             level = eye + down * max(down * (level - eye), self.deep.get("eye", 0.5) + _BELOW + _FAN[1])
         found = []
         for side in (-1.0, 1.0):
-            for k in (-1.0, 0.0, 1.0):
+            for k in np.linspace(-1.0, 1.0, each).tolist():
                 ends = ((level + _FAN[0] * k, off), (level + _FAN[1] * k, off + wide))
                 spots = [Spot(host.name, n, round(host.middle(n) + side * o, 3), lines[0].span) for n, o in ends]
                 found.append(replace(lines[0], spots=tuple(map(host.within, spots))))

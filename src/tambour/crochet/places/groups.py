@@ -44,6 +44,12 @@ ALIKE: Final = re.compile(
     r"\b(?:in|by|using) (?:exactly )?(?:the|a) (?:same|similar) (?:way|manner|method)\b|\blikewise\b|\bsimilarly\b"
 )
 BY_IT: Final = re.compile(r"\b(beside|next to|behind|close to|below|above|under) (?:it|this)\b")
+ONE_OTHER: Final = re.compile(
+    r"\bone ((?:\w+ ){0,2}?\w+?)s? ((?:at|on|in|between|over|to|near|above|below)\b[^,;:.]*?),? (?:and )?the other (?:one )?([^,;:.]*)"
+)
+"""Two of a kind, each with a place of its own: "one big spot at the top, the other between R7 and R11"."""
+BOTH: Final = re.compile(r"\bboth\b[^,;:.]*")
+"""What is said of the two of them behind their places: "both pointing up"."""
 _BARE: Final = re.compile(
     rf"\b(?:nose|mouth|smile)\s+(?:(?:is|goes|about|approx\.?)\s+)*{QUANTITY}\s+{ROUND}\s+(?:below|under|beneath|down)(?=\s*(?:[.,;]|$|and\b|using\b|with\b))"
 )

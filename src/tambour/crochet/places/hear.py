@@ -9,7 +9,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish, Placed
-from tambour.crochet.places import face
+from tambour.crochet.places import face, lines
 from tambour.crochet.places.assembling import (
     ADJACENT,
     ALL,
@@ -28,12 +28,24 @@ from tambour.crochet.places.assembling import (
     TO,
     UNDER_HEAD,
     WHEN,
+    put_eyes,
 )
-from tambour.crochet.places.groups import ALIKE, BEFORE, BY_IT, HANDLED, again, apart, below_eyes, grouped
+from tambour.crochet.places.groups import (
+    ALIKE,
+    BEFORE,
+    BOTH,
+    BY_IT,
+    HANDLED,
+    ONE_OTHER,
+    again,
+    apart,
+    below_eyes,
+    grouped,
+)
 from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
 from tambour.crochet.places.names import Made, Mention, its_own, kind_of, mentions, one
-from tambour.crochet.places.said import VERB, Where, clauses, where
+from tambour.crochet.places.said import OF_PLACE, VERB, Where, clauses, where
 from tambour.crochet.words.numbers import QUANTITY, quantity
 
 Copy = tuple[Made, int]
@@ -137,14 +149,6 @@ class Feature:
     also: list[Span] = field(default_factory=list)
 
 
-_ONE_OTHER: Final = re.compile(
-    r"\bone ((?:\w+ ){0,2}?\w+?)s? ((?:at|on|in|between|over|to|near|above|below)\b[^,;:.]*?),? (?:and )?the other (?:one )?([^,;:.]*)"
-)
-"""Two of a kind, each with a place of its own: "one big spot at the top, the other between R7 and R11"."""
-_BOTH: Final = re.compile(r"\bboth\b[^,;:.]*")
-"""What is said of the two of them behind their places: "both pointing up"."""
-
-
 _NO_PART: Final = frozenset(
     """the its her his their each both either other one two three side sides top bottom back front rear middle center centre left right upper lower
     and with using over under place piece toy work shown photo picture pictured photograph diagram image guide reference matching yarn thread
@@ -152,10 +156,6 @@ _NO_PART: Final = frozenset(
     seam around all together desired needed from this that small long down just slightly""".split()
 )
 """Words behind "to" that name no part."""
-_OF_PLACE: Final = re.compile(
-    r"\b(?:of|on|onto|to|into|at|below|above|beneath|under|over|beside|between|around|near|from|behind|inside|where|along|across)"
-    r" (?:the|both|each|her|his|its|that) (?:\w+ )?$"
-)
 _YARNED: Final = re.compile(r"\w+(?: \w+)? (?:thread|yarn|floss|wool|cotton|embroidery|felt)")
 """A colour by which a place is called ("one on each side of the white muzzle") is none of what is put there."""
 
@@ -191,7 +191,7 @@ class Heard:
         if self._hair(low, sentence, order):
             return
         heard, begin = False, 0
-        own = [(at, rgb) for at, rgb in sentence.colors if not _OF_PLACE.search(low[:at]) or _YARNED.match(low, at)]
+        own = [(at, rgb) for at, rgb in sentence.colors if not OF_PLACE.search(low[:at]) or _YARNED.match(low, at)]
         low = grouped(unlisted(self._once_more(below_eyes(low, [f.what for f in self.features]))), self.parts)
         for a, b in clauses(low):
             shades = [rgb for at, rgb in own if a <= at < b] or [rgb for _, rgb in own[:1]]
@@ -228,6 +228,8 @@ class Heard:
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
         low = plainly(low)
+        if (more := lines.second(low)) and self._clause(low[:more], sentence, order, color):
+            return self._clause(f"embroider {low[more:]}", sentence, order, color) or True
         low = _EDGES.sub(r"sew \1 to ", MEET.sub("neck of body" if _FROM_MEET.search(low) else "at neck of body", low))
         found = mentions(low, self.parts)
         if (under := UNDER_HEAD.search(low)) and self._limbs(found, under.start()):
@@ -254,12 +256,14 @@ class Heard:
         glass = re.search(r"\b(?:safety|plastic|toy|bead|button|googly)s? eyes?\b|\bbeads? for eyes\b", low)
         if glass:  # these are no eyelids that were crocheted
             found = [m for m in found if not (glass.start() <= m.start < glass.end())]
-        named_eyes = any("eye" in m.copies[0][0].kinds for m in found) and not (glass and _put_eyes(low, glass.start()))
+        named_eyes = any("eye" in m.copies[0][0].kinds for m in found) and not (glass and put_eyes(low, glass.start()))
         features = face.motifs(low) if DRAWN.search(low) or SAFETY_NOSE.search(low) or "felt" in low else []
         if features:  # a nose that is embroidered is no muzzle
             drawn = ("nose", "mouth", "eye", "cheek", "beak", "brow", "eyebrow")
             found = [m for m in found if m.word not in drawn or any(m.word in p.words for p, _ in m.copies)]
         features = [f for f in features if not any(f.rstrip("s") in m.word for m in found)]
+        straight = features[:1] in (["lines"], ["cross"])
+        features = [] if straight and lines.worked(low, [(m.start, m.end) for m in found]) else features
         felt = re.search(r"\bfelt\b", low)
         eyes = EYES.search(low)
         eyed = bool(
@@ -268,13 +272,13 @@ class Heard:
             and not _SEWN_EYES.search(low)
             and not named_eyes
             and not BLUSH.search(low)
-            and _put_eyes(low, eyes.start())
+            and put_eyes(low, eyes.start())
         )
-        if (two := _ONE_OTHER.search(low)) and (which := mentions(two[1], self.parts)):
+        if (two := ONE_OTHER.search(low)) and (which := mentions(two[1], self.parts)):
             part = which[0].copies[0][0]
             if part.copies == 2 and VERB.search(low[: two.start()] + " "):
                 host = next((m.copies[0] for m in found if m.copies[0][0] != part), None)
-                also = _BOTH.search(low, two.end())
+                also = BOTH.search(low, two.end())
                 for k, words in ((1, two[2]), (2, two[3])):
                     place = where(f"{words}, {also[0]}" if also else words)
                     self.puts.append(Put([(part, k)], host, self._region(low), place, sentence.span, order))
@@ -286,10 +290,15 @@ class Heard:
                 re.search(r"embroider|satin|knot|backstitch|straight st|whisker|blush|freckle|safety nose", low)
                 or not found
                 or felt
+                or straight
                 or ((drawn_at := face.found(features[0], low)) is not None and drawn_at[0] < found[0].start)
             )
         ):
             host = self._on(found, low) or self._stem(sentence)
+            if straight and host is None:  # on a part that is made several times, or on the one that the words stand in
+                worked = lines.behind_rounds(self._text, sentence.span.start)
+                stands = next((p for p in self.parts if worked and p.name == sentence.part), None)
+                host = found[-1].copies[0] if found else None if stands is None else (stands, 1)
             both = ["nose"] if re.search(r"\beyes? and (?:the )?(?:safety )?nose\b", low) else []
             names = ["safety eyes", *both] if eyed else [face.styled(f, low) for f in features]
             pieces = face.pieces(low, features) if len(features) > 1 and not eyed else [low] * max(len(names), 1)
@@ -480,16 +489,6 @@ class Heard:
             )
             else ""
         )
-
-
-def _put_eyes(low: str, eyes: int) -> bool:
-    """Whether eyes are what is put, not where something is put."""
-    verb = VERB.search(low)
-    between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
-    return not re.search(
-        r"\b(?:below|under|beneath|underneath|above|between|beside|from|to|of|as|with|around|over|atop|near|behind|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
-        between,
-    )
 
 
 def _each(mention: Mention, copies: list[Copy]) -> Copy:

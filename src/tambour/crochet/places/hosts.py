@@ -34,6 +34,8 @@ _TRIMMINGS: Final = frozenset("edging trim ruffle strap tie lace band".split())
 """Words of what is worn that a cake may have too."""
 _CLOTHES: Final = re.compile(r"\b(?:outfit|clothes|clothing|wardrobe|accessories|costume|cardigan|dress)\b")
 """What titles of patterns for clothes say."""
+_OTHERS: Final = re.compile(r"\b(?:remaining|others?|rest|next|second|third|another|each)\b")
+"""Words of a sentence that puts others of a part elsewhere."""
 
 
 class Hosts(Likely):
@@ -203,6 +205,17 @@ class Hosts(Likely):
             # A beard is on the face under the hat, and hair grows on no arm.
             p.host = above
             p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
+
+    def _said_again(self, p: Put, puts: list[Put]) -> None:
+        """Keeps a sentence of whose paragraph another says more of where its part goes: "Pin the bib under the chin. Its top touches the neck …"."""
+        first = next((q for q in puts if q.copies == p.copies and not q.guess), None)
+        if first is None or p.guess or p.where.rounds is not None or p.host not in (None, first.host):
+            return
+        if _OTHERS.search(self.text, p.span.start, p.span.end):
+            return
+        a, b = sorted((p.span, first.span), key=lambda span: span.start)
+        if "\n" not in self.text[a.end : b.start]:
+            self.made.more.append(p.span)
 
     def _outfit(self) -> bool:
         """Whether the parts are clothes for a doll that is not made here: no head, no face, and something worn, or a title that says so."""

@@ -53,7 +53,10 @@ class Pairer(Jointer):
             edge = self.work.open(one[0].copy(1)) or 0
             flat = self._flat(one, way)
             upright = flat and put.where.rounds is not None and abs(put.where.rounds[1] - put.where.rounds[0]) >= 2
-            off = 0.5 * apart + (0.0 if upright else edge / 4 if flat else edge / (2.0 * math.pi))
+            wide = edge / 4 if flat else edge / (2.0 * math.pi)
+            if not edge and self._shut(one):  # closed through both layers, a line that lies level
+                wide = 0.5 * len(self.work.spots.stitches(self.work.spots.last(self.work.spots.parts[one[0].copy(1)])))
+            off = 0.5 * apart + (0.0 if upright else wide)
             low_end = min(put.where.rounds[:2]) if put.where.rounds is not None else 0.0
             if put.kind == "ear" and upright and abs(apart - 2.0 * low_end) <= _OVER_TOP and "top" in put.where.words:
                 off = 0.25 * count  # counted over the crown, from the round where the one begins to that of the other

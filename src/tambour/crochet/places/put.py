@@ -39,6 +39,8 @@ _STANDS: Final = re.compile(
     r"\b(?:bottom|lower|straight|flat|base)\s+(?:end|edge|side)\b[^.;]{0,25}\b(?:on|at|along|above)\s+(?:the\s+)?(?:top of\s+)?(?:rounds?|rnds?|rows?|r)\b"
 )
 """A piece of which the lower edge is in the round that is said."""
+_LOWER_EDGE: Final = re.compile(r"\blower edge on round \d")
+"""The same of a round one that lies on the fabric, as :mod:`habits` puts it."""
 _HANGS: Final = re.compile(
     r"\b(?:top|upper)\s+(?:edge\s+)?of\s+(?:the\s+)?(\w+)\s+(?:\w+\s+)?(?:just\s+)?(?:below|under|at|on|with|along)\s+(?:the\s+)?"
     r"(?:rounds?|rnds?|rows?|r|\d+(?:st|nd|rd|th))\b"
@@ -316,6 +318,10 @@ class Putter(Pairer):
                 level += 0.5 * (
                     len(self.work.host(put.copies[k]).levels) - 1
                 )  # the middle of what stands on that round
+            if put.kind in LAID and not self.work.spots.in_rows[part] and _LOWER_EDGE.search(at.text):
+                tall = 0.5 * float(np.ptp(self.work.spots.layout[self.stand.nodes(part)], axis=0).max())
+                above = level + math.copysign(round(tall), float(host.axis[1]))
+                level = above if host.low <= above <= host.high else level
             if (hangs := _HANGS.search(at.text)) and one(hangs[1]) not in host.name.lower().split():
                 half = self._half(put.copies[k])
                 both = [n for n in (level - half, level + half) if host.low <= n <= host.high]

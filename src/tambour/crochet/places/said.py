@@ -16,6 +16,11 @@ VERB: Final = re.compile(
     r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|(?<!bow )(?<!bow-)(?<!neck )tie|mount|push|make|create(?= (?:\w+ ){0,2}(?:nostrils?|mouth|nose|smile|eyes|eyebrows?|cheeks?|whiskers)\b)|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st|(?:(?:thread|button)[- ])?joint(?= (?:the|both|each|on)\b)|button(?= (?:the|both|each|on)\b))\b"
 )
 """Words that put something somewhere."""
+OF_PLACE: Final = re.compile(
+    r"\b(?:of|on|onto|to|into|at|below|above|beneath|under|over|beside|between|around|near|from|behind|inside|where|along|across)"
+    r" (?:the|both|each|her|his|its|that) (?:\w+ )?$"
+)
+"""Words before what a place is beside."""
 _SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
 _ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?|x(?! ?\d))"
 _NO_END: Final = (

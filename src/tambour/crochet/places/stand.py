@@ -165,7 +165,7 @@ class Host:
         if spot.stitch is None:
             return spot
         many = max(self.count(number) for number in (spot.round, min(np.ceil(spot.round), self.high)))
-        if spot.stitch < many + 1:
+        if 0.5 <= spot.stitch < many + 1:
             return spot
         rows = bool(self.stand.spots.in_rows[self.part])
         return replace(spot, stitch=float(many) if rows else round((spot.stitch - 1.0) % many + 1.0, 3))

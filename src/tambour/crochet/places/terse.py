@@ -84,6 +84,10 @@ _CENTER: Final = re.compile(
 )
 """A place, and no verb: "center top of head"."""
 
+_YARN_LED: Final = re.compile(
+    rf"^\W*(?:and\s+)?(?:in|with|using)\s+(?:[a-z]+\s+){{0,2}}?[a-z]+,\s*(?P<bare>(?:then\s+)?(?:an?|the|{QUANTITY}|some|several|a few)\s)"
+)
+"""What is drawn, behind its yarn alone: "In pink, a small triangle nose at the top of the muzzle"."""
 _FEATURE: Final = re.compile(
     r"^\W*(?:(?:in|with|using)\s+(?:[a-z]+\s+){0,2}?[a-z]+,\s*)?"
     r"(?P<bare>(?:(?:the|a|an|two|three|four|\d+|short|long|small|little|tiny|big|wide|straight|rounded|upright|black|brown|pink|white|red|rosy|triangle|triangular|oval|heart-shaped)\s+)*"
@@ -111,6 +115,9 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
     feature = _FEATURE.match(low)
     if feature is not None and not verb and (where(low).says or re.search(r"\beyes?\b", low)):
         return feature.start("bare"), "embroider "
+    led = _YARN_LED.match(low) if not verb and len(low) < _LONG and not _WORKS.search(low) else None
+    if led is not None and face.motifs(low[led.start("bare") :]):
+        return led.start("bare"), "embroider "
     known = _words(tuple(names))
     bare = _BARE.match(low) if len(low) < _LONG and not verb and not _WORKS.search(low) else None
     if bare is not None and where(low).says:

@@ -34,6 +34,8 @@ _FACING: Final = re.compile(
     r",?\s*\b(?:when|with|while|as)\s+the\s+\w+\s+(?:is\s+|are\s+)?(?:facing|towards|looks? at|faces)\s+you\b"
 )
 _IT: Final = re.compile(r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?:it|them)\b")
+_OVER_IT: Final = re.compile(r"\b(on|onto|over|across|along|down)\s+it\b")
+"""What a part is drawn on that its paragraph is about: "sew three long stitches lengthwise over it"."""
 _JOINS: Final = re.compile(
     r"\b(?:openings?|edges?|match|sew|whip ?stitch|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
 )
@@ -62,6 +64,10 @@ _BARE: Final = re.compile(
     rf"(?=(?:low|high|up|flat|over|on|at|to|in|between|under|below|above|along|around|behind|beside|just|right|halfway|down|{ROUND})\b)"
 )
 """A sentence without the part that it is about: "goes low on the front of the head"."""
+_SPANS: Final = re.compile(
+    rf"^\W*(?=(?:(?:the|its|their)\s+)?(?:top|bottom|upper|lower|front|back)(?:\s+(?:edge|end|side|corner)s?)?\s+(?:touch|meet|reach|com|start|end|begin|sit|lie)[a-z]*\s[^.;]*\b{ROUND}\s?\.?\s*\d)"
+)
+"""From where to where a part reaches, which leaves it out: "The top touches the neck seam and the bottom comes down to round 17"."""
 _ROUND_IT: Final = re.compile(
     r"^\W*(?:(?:now|then|and)\s+)?(?:sew|whip ?stitch|stitch)\s+(?:all\s+)?(?:the\s+way\s+)?(?:around|round)\b(?!.*\b(?:to|onto|on)\b)[^;]*$"
 )
@@ -238,10 +244,14 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
         made = f"{made[: edge.start()]}sew the {called}{made[edge.end() :]}"
     elif (laid := _LAID.search(made)) is not None:
         made = f"{made[: laid.start()]}sew the {called}{laid['flat'] or ''}{made[laid.end() :]}"
+    elif (spans := _SPANS.match(made)) is not None:
+        made = f"sew the {called} with {made[spans.end() :]}"
     elif _ROUND_IT.match(made):
         made = f"sew the {called}"
     elif (bare := _BARE.match(made)) is not None:
         made = f"sew the {called} {made[bare.end() :]}"
+    elif (drawn := _OVER_IT.search(made)) is not None and face.motifs(made):
+        made = f"{made[: drawn.start()]}{drawn[1]} the {called}{made[drawn.end() :]}"
     elif (it := _IT.search(made)) is not None and not mentions(
         made[: it.start()], [Made(n, 1) for n in names if n != name]
     ):
@@ -258,7 +268,7 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
     if made is low:
         return text
     made = _COVERS.sub(" over ", made)
-    return _HELD.sub("", _REACHES.sub(", pointing down", made))
+    return _HELD.sub("", _REACHES.sub(", pointing straight down", made))
 
 
 def _called(name: str) -> str:

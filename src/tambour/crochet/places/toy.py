@@ -48,6 +48,7 @@ _TALL: Final = 0.6
 class Assembled:
     """What came of it: records in order; which way parts stand; what was guessed (part, words); what says no place.
 
+    more : sentences of which another of their paragraph says more
     apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills; behind : second layers of ears
     and the like, of which nothing is seen; by their names; worn : the clothes that are put on; toys : the parts of each of several
     """
@@ -57,6 +58,7 @@ class Assembled:
     guessed: list[tuple[str, str]] = field(default_factory=list)
     loose: list[str] = field(default_factory=list)
     lost: list[Span] = field(default_factory=list)
+    more: list[Span] = field(default_factory=list)
     apart: list[str] = field(default_factory=list)
     unstuffed: list[str] = field(default_factory=list)
     behind: list[str] = field(default_factory=list)

@@ -49,6 +49,7 @@ from tambour.crochet.words.table import TERMS
 
 NOTHING: Final = "this holds no crochet instructions"
 _TAIL: Final = re.compile(r"\s*(?:[(\[][^()\[\]]{2,30}[)\]]|[-–—|]\s*\w+ \w+)\s*$")  # "(UK terms)", "- US terms"
+_ELSEWHERE: Final = "say the rounds, and how many stitches apart, to have them elsewhere"
 _ON: Final = frozenset("edging border trim ribbing ruffle hem shaping".split())
 """What a piece goes on with at its last round, unless it says another place."""
 _WHICH: Final = frozenset("next last each first same rest other".split())
@@ -144,7 +145,7 @@ class Printed(Headed):
                 ]
                 pattern = self._assemble(pattern, built, usual)
                 yarns_told(self, pattern)
-                unseen_told(self, pattern, tuple(source.finish), self.lost)
+                unseen_told(self, pattern, tuple(source.finish), [*self.lost, *self.more])
         errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
             raise TambourError(sorted(errors, key=_place))
@@ -187,25 +188,22 @@ class Printed(Headed):
             return with_places(pattern, Assembled(unstuffed=empty(built, ()))) if usual else pattern
         usually, found.finish = spoken_of(self, pattern, found.finish)
         self.lost = [s for s in found.lost if not any(s.start < at.end and at.start < s.end for at in usually.values())]
+        self.more = found.more
         for span in self.lost:
             source.doubt(UNPLACED, remedy(pattern, span), span)
-        hint = "say the rounds, and how many stitches apart, to have them elsewhere"
         for name, span in usually.items():
             where = [words for part, words in found.guessed if part == name]
-            source.doubt(f"{GUESSED}: {'; '.join(dict.fromkeys(where)) or name}", hint, span)
+            source.doubt(f"{GUESSED}: {'; '.join(dict.fromkeys(where)) or name}", _ELSEWHERE, span)
         found.guessed = [one for one in found.guessed if one[0] not in usually]
         if found.guessed:
-            source.doubt(f"{GUESSED}: {told(found)}", hint, self._named(found.guessed[0][0]))
+            source.doubt(f"{GUESSED}: {told(found)}", _ELSEWHERE, self._named(found.guessed[0][0]))
+        hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
         if found.apart:
-            hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
             source.doubt(f"{ASIDE}: {', '.join(found.apart)}", hint, self._named(found.apart[0]))
         if found.behind:
+            hidden = f"pieces that lie behind others like them are not shown: {', '.join(found.behind)}"
             hint = "they are worked and counted: work through both layers as the text says"
-            source.doubt(
-                f"pieces that lie behind others like them are not shown: {', '.join(found.behind)}",
-                hint,
-                self._named(found.behind[0]),
-            )
+            source.doubt(hidden, hint, self._named(found.behind[0]))
         for record in found.finish:
             # What is guessed wrongly is told, and does not refuse the whole text.
             trial = Source(source.text, source.strict)

@@ -254,6 +254,7 @@ class State:
         self.handed = False  # the sentence before this one was something that hands do
         self.edged = False  # it worked along an edge that is no round's
         self.lost: list[Span] = []  # those of finishing that put nothing anywhere
+        self.more: list[Span] = []  # those of which another of their paragraph says more
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
         self.held: list[Held] = []  # words that hold parts to the round that is worked
         self.hanging: tuple[int, Span] | None = (

@@ -204,6 +204,7 @@ def assembled(
             whole += more
         made.guessed += found.guessed
         made.lost += found.lost
+        made.more += found.more
         made.worn += found.worn
     return made
 
