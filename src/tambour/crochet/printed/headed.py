@@ -9,7 +9,7 @@ from tambour.core.errors import Span, did_you_mean
 from tambour.crochet.language.stitches import MOST, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.between.beyond import again_made, another, edged_again, edging, not_drawn
-from tambour.crochet.printed.between.conventions import convention
+from tambour.crochet.printed.between.conventions import convention, turned_always
 from tambour.crochet.printed.between.put import ended, eyed, finishing, sews, stuffed
 from tambour.crochet.printed.between.remarks import remark
 from tambour.crochet.printed.between.unread import NOT_UNDERSTOOD, instructs
@@ -253,7 +253,7 @@ class Headed(State):
             put = finishing(self, left)
             edged, self.edged = self.edged, False
             known = put or edging(self, left) or edged_again(self, left, edged) or again_made(self, left)
-            known = known or convention(self, left)
+            known = known or convention(self, left) or turned_always(self.source.text.text, left)
             if not known and not (handed and another(left)):
                 unread.append(left)
             handed = handed or put

@@ -23,6 +23,9 @@ _TELLS = frozenset(
 )
 """What goes on behind "next round" where a sentence tells of it, and works nothing."""
 _LABEL = 6  # words that name a round
+_POINTS_AT = frozenset(
+    "after before until once when during behind above below past".split()
+)  # "STOP HERE after Rnd 36: …"
 _BODY = frozenset(
     (
         "round",
@@ -200,7 +203,7 @@ def _labelled(tokens: list[Token], at: int) -> int:
         end < len(tokens)
         and end - at < _LABEL
         and (
-            (tokens[end].kind == "word" and tokens[end].value is None)
+            (tokens[end].kind == "word" and tokens[end].value is None and tokens[end].word not in _POINTS_AT)
             or (
                 end == at
                 and tokens[end].word == "joining"

@@ -20,7 +20,7 @@ from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.rounds.doubts import in_one, numbered_each
 from tambour.crochet.printed.rounds.moved import Moved
-from tambour.crochet.printed.sheet.banners import banners
+from tambour.crochet.printed.sheet.banners import banners, begun
 from tambour.crochet.printed.sheet.bilingual import first
 from tambour.crochet.printed.sheet.changes import changes
 from tambour.crochet.printed.sheet.columns import columned
@@ -32,6 +32,7 @@ from tambour.crochet.printed.sheet.notes import Heading
 from tambour.crochet.printed.sheet.numerals import numerals
 from tambour.crochet.printed.sheet.pages import pages
 from tambour.crochet.printed.sheet.pasted import pasted
+from tambour.crochet.printed.sheet.pieces import pieced
 from tambour.crochet.printed.sheet.points import unlisted
 from tambour.crochet.printed.sheet.recognise import recognised
 from tambour.crochet.printed.sheet.rims import rimmed
@@ -63,6 +64,7 @@ from tambour.crochet.printed.wordings.shorthand import numbered, signs
 from tambour.crochet.printed.wordings.vocabulary import stand_beside, vocabulary
 from tambour.crochet.printed.wordings.wools import learned
 from tambour.crochet.printed.yarns.colors import Palette
+from tambour.crochet.printed.yarns.counted import counted
 from tambour.crochet.printed.yarns.shades import spoken
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
@@ -170,6 +172,7 @@ class State:
         if not TERMS[self.language.code].prints(source.text.text):
             self.rows = unlumped(pages(source.text.text, self.rows, self.vocabulary), self.vocabulary)
             source.each, source.in_one = numbered_each(source.text.text), in_one(source.text.text)
+            self.rows = pieced(self.rows, self.vocabulary)
         self.rows = aligned(source.text.text, self.rows)
         explained(self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(source.text.text):
@@ -201,6 +204,7 @@ class State:
         if self.language.code in ("us", "uk"):
             self.rows = listed(self.rows, self.vocabulary)
         if not TERMS[self.language.code].prints(source.text.text):
+            self.rows = begun(source.text.text, self.rows, self.vocabulary)
             self.rows = titled(sorted_out(self.rows, self.vocabulary), self.vocabulary)
         self.rows = banners(source.text.text, self.rows, self.vocabulary)
         self.small = small(source.text.text, self.rows)
@@ -213,6 +217,7 @@ class State:
         )
         if self.language.code in ("us", "uk", "letters") and not ours:
             learned(source.text.text, self.palette, self.vocabulary)
+            self.rows = counted(self.rows, self.palette, self.vocabulary, terms.stitches["sc"][0].lower())
         self.phrases = Phrases(
             terms, {}, lettered(source.text.text, terms), hues, None if ours else self.palette.on_shelf
         )

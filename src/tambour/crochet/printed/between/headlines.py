@@ -255,14 +255,18 @@ def dyed_first(p: State, tokens: list[Token]) -> int:
 
 
 def dyed_lead(p: State, tokens: list[Token]) -> int:
-    """Where the yarn ends that a part's first sentence begins with, "Oatmeal, starting at the nose", and that is put before its rounds; 0 where
-    none does."""
-    hue = p.palette.color(Cursor(tokens)) if p.heading is not None and p.mode == "" else None
-    if hue is None or len(tokens) < hue[1] + 2 or tokens[hue[1]].word != "," or tokens[hue[1] + 1].value != "begin":
+    """Where the yarn ends that a part's first sentence begins with, "Oatmeal, starting at the nose", "Begin in black, at the crown", and that is put
+    before its rounds; 0 where none does."""
+    led = 2 if len(tokens) > 2 and tokens[0].value == "begin" and tokens[1].value in ("in", "with") else 0
+    hue = p.palette.color(Cursor(tokens, led)) if p.heading is not None and p.mode == "" else None
+    end = led + hue[1] if hue is not None else len(tokens)
+    if hue is None or len(tokens) < end + 2 or tokens[end].word != ",":
         return 0
-    span = Span(tokens[0].start, tokens[hue[1] - 1].end)
+    if tokens[end + 1].value != "begin" and not (led and tokens[end + 1].word in ("at", "from")):
+        return 0
+    span = Span(tokens[led].start, tokens[end - 1].end)
     p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))
-    return hue[1] + 1
+    return end + 1
 
 
 def dyed_last(p: State, tokens: list[Token]) -> int:

@@ -56,12 +56,22 @@ def as_chain(p: State, tokens: list[Token]) -> list[Token]:
     where it says no such thing."""
     at = next((k for k, t in enumerate(tokens) if t.kind == "stitch"), len(tokens))
     c = Cursor(tokens)
+    if 0 < at < len(tokens) and tokens[at].value == "ch" and c.whole(at - 1) is not None and c.whole(at + 1) is None:
+        many, ch = tokens[at - 1], tokens[at]  # "starting with 7 ch"
+        swapped = [replace(ch, start=many.start, end=many.end), replace(many, start=ch.start, end=ch.end)]
+        tokens = [*tokens[: at - 1], *swapped, *tokens[at + 1 :]]
+        c, at = Cursor(tokens), at - 1
     number = c.whole(at + 1) if at < len(tokens) and tokens[at].value == "ch" else None
     if not number or number < _SHORTEST or any(t.value in ("not", "count", "round", "row") for t in tokens[:at]):
         return tokens
     hue = next(((k, found[1]) for k in range(at) if (found := _hue(p, c, k)) is not None), None)
     dyed = range(hue[0], sum(hue)) if hue is not None else range(0)
-    if any(t.kind == "word" and k not in dyed and t.word not in _BY_THE_WAY for k, t in enumerate(tokens[:at])):
+    where = {*_where_begun(tokens, at)}
+    where |= {0} if p.heading is not None and at > 1 and tokens[1].word == "," else set()  # "Sole, in brown, ch 7"
+    if any(
+        t.kind == "word" and k not in dyed and k not in where and t.word not in _BY_THE_WAY
+        for k, t in enumerate(tokens[:at])
+    ):
         return tokens  # a yarn that is not known, or another thing that is done
     chain, rest = [tokens[at], tokens[at + 1]], tokens[at + 2 :]
     if any(t.kind == "stitch" and t.value not in ("slst", "ch") for t in rest):
@@ -80,6 +90,13 @@ def as_chain(p: State, tokens: list[Token]) -> list[Token]:
         [Token("key", "join", end.start, end.end, "join")] if any(t.value in ("slst", "join") for t in rest) else []
     )
     return [*led, *chain, *joined]
+
+
+def _where_begun(tokens: list[Token], at: int) -> range:
+    """The words before ``at`` that say where a piece begins: "starting at the toe", up to their comma; an empty range where none do."""
+    begin = next((k for k in range(at - 1) if tokens[k].value == "begin" and tokens[k + 1].word in ("at", "from")), at)
+    end = next((k for k in range(begin, at) if tokens[k].word == ","), at)
+    return range(begin, end) if end < at else range(0)
 
 
 def _hue(p: State, c: Cursor, k: int) -> tuple[RGB, int] | None:

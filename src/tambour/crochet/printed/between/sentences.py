@@ -119,6 +119,8 @@ def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
             p.heading, sentence, p.mode, any_read = opened[0], sentence[opened[1] :], "", True
             p.title = p.title or (opened[0].name, opened[0].span)
         chained = p.heading is not None and any(t.value == "ch" for t in sentence)  # "5 Lm" below a heading is no count
+        if chained and any(a.kind == "number" and b.value == "ch" for a, b in pairwise(sentence)) and founds(p, near=1):
+            sentence = as_chain(p, sentence)  # "In brown, starting at the toe, 7 ch"
         if sentence and not lefts and not chained and p.parts and p.parts[-1].counted(sentence):
             any_read = True
         elif sentence and lefts and p.parts and p.parts[-1].last and bare_count(sentence) is not None:
@@ -252,7 +254,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if p.parts and beside_the_point(text) and not any(works_at(tokens, k) for k in range(len(tokens))):
         p.passed.append(span)
         return True
-    if finishing(p, tokens):
+    chains = p.heading is not None and founding(tokens) and any(t.value == "ch" for t in tokens) and founds(p, near=1)
+    if not chains and finishing(p, tokens):
         return True
     if p.mode in ("materials", "abbreviations") and convention(p, tokens):
         p.passed.append(span)  # "Every round here is worked in the back loop only"

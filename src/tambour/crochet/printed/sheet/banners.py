@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from dataclasses import replace
 from typing import Final
@@ -11,6 +12,7 @@ from tambour.crochet.printed.sheet.notes import MODES
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
 from tambour.crochet.printed.yarns.shades import shade
+from tambour.crochet.words.numbers import NUMBERS
 
 _FRAMES: Final = frozenset("*~-=<>_·•+#|/\\♥♡☆★^°:")
 _TURNS: Final = ("*", "~", "=", "_", "·", "•", "+")
@@ -31,6 +33,58 @@ def banners(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
             else [row]
         )
     return made
+
+
+def begun(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
+    """``rows`` with how a part begins, behind its name, on a line of its own: ``BODY (A) - starts at the bottom``, ``2) HEAD -- begin in black, at
+    the crown``, ``HAT (green), from the tip``; and without "in rows" among its yarns: ``AWNING (red, in rows)``."""
+    return [one_ for row in rows for one_ in (_begun(text, row, vocabulary) if row.tokens else [row])]
+
+
+_BEGINS: Final = frozenset(
+    "start starts starting started begin begins beginning begun worked working made crocheted from".split()
+)
+_HOW: Final = 14  # words that say where a part begins
+_IN_ROWS: Final = re.compile(
+    r"[,;] (?:worked |crocheted |made )?in (?:rows|rounds|the round|a spiral|one piece)(?= [,;)])"
+)
+
+
+def _begun(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
+    tokens = row.tokens
+    if not any(t.kind == "word" and (t.word in _BEGINS or t.word in ("rows", "rounds")) for t in tokens[1:]):
+        return [row]
+    led = 2 if tokens[0].kind == "number" and len(tokens) > 2 and tokens[1].word in (".", ")", ":", "-") else 0
+    at = next((k for k in range(led + 1, len(tokens) - 1) if tokens[k].word in ("-", "--", ",", "–", "—")), 0)
+    on = at
+    while 0 < on < len(tokens) and tokens[on].kind == "mark":
+        on += 1
+    name, how = tokens[led:at], tokens[on:]
+    bracket = next((k for k, t in enumerate(name) if t.word in ("(", "[")), len(name))
+    closed = bracket == len(name) or name[-1].word in (")", "]")
+    called = [t for t in name[:bracket] if t.kind != "mark"]
+    named = bool(called) and (
+        text[called[0].start : called[-1].end].isupper() or all(kind_of(one(t.word)) for t in called[-1:])
+    )
+    if (
+        at
+        and closed
+        and named
+        and 1 < len(how) <= _HOW
+        and how[0].word in _BEGINS
+        and _title(text, name, vocabulary)
+        and not any(t.kind in ("stitch", "number") for t in vocabulary.read(how))
+    ):
+        return [
+            Row(tokens[:at], row.start, tokens[at - 1].end, max(row.marked, 1)),
+            Row(how, how[0].start, row.end),
+        ]
+    bracket = next((k for k, t in enumerate(tokens) if k and t.word == "("), 0)
+    if bracket and tokens[-1].word == ")" and (said := _IN_ROWS.search(" ".join(t.word for t in tokens))):
+        at = len(" ".join(t.word for t in tokens)[: said.start()].split())
+        tokens = [*tokens[:at], *tokens[at + len(said[0].split()) :]]
+        return [replace(row, tokens=tokens)]
+    return [row]
 
 
 _YARN: Final = 3  # words of a yarn's name
@@ -192,6 +246,7 @@ def _label(tokens: list[Token], vocabulary: Vocabulary) -> int:
     if len(tokens) < 4 or tokens[0].word not in vocabulary.labels or tokens[2].word not in (":", "-", ".", ")"):
         return 0
     numbered = tokens[1].kind == "number" or (tokens[1].kind == "word" and len(tokens[1].word) <= 2)
+    numbered = numbered or tokens[1].word in NUMBERS  # "PART FOUR: DOORSTEP"
     names = tokens[0].word not in vocabulary.steps or all(
         kind_of(one(t.word)) or t.word in ("and", "&") or (t.kind == "key" and t.value in MODES)
         for t in vocabulary.read(tokens[3:])

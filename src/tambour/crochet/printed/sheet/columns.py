@@ -29,6 +29,7 @@ _SPAN: Final = re.compile(
     r"(?:(?:rnds?|rounds?|rds?|rows?|r) ?(?:\. ?)?)?(\d+)(?: ?(?:-|to|and|&|,|~|/) ?(?:r ?)?(\d+))?(?: ?[.:)])?$"
 )
 _MOST: Final = 400
+_WORKS: Final = frozenset("sc hdc dc tr sl slst ch inc dec sts st stitch stitches around side sides".split())
 _LETTERS: Final = 3  # of a yarn's letter: "MC", "CC1"
 _TITLES: Final = 7  # columns
 _LEGEND: Final = re.compile(r"#[ \t]?(\d{1,2})[ \t]*[:=–-]?[ \t]*([A-Z][a-z]+(?: [a-z]+)?)")
@@ -215,6 +216,11 @@ def _go_on(made: list[Row], at: int, table: _Table, cells: dict[str, list[Token]
     if table.notes and not set(cells) - {main} and not said[0].capital:
         table.notes[-1].extend(said)
         made[at] = replace(made[at], tokens=[])
+        return True
+    told = table.entry is not None and table.entry.get("count") and set(cells) == {main}
+    if told and not any(t.kind == "number" or t.word in _WORKS for t in said):
+        table.notes.append(said)  # "cut W, go on in B", below a round that is whole
+        made[at] = replace(made[at], tokens=said)
         return True
     if table.entry is not None and (
         not said or not said[0].capital or _open(table.entry.get(main, [])) or first == "what"

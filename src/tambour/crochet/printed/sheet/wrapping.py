@@ -45,6 +45,11 @@ _UNENDED: Final = frozenset(
     "in into each every next of the to from and with back front work working same first last".split()
 )
 """Words that no sentence ends with, and the next line goes on from in small letters."""
+_TO: Final = frozenset("from to of between and at over on along through with behind near until".split())
+_ROUNDS: Final = re.compile(
+    r"[ \t]*(?:rnd|round|row|rd|r)s?[ \t]*\d+\b(?![ \t]*[:)|])(?![ \t]*[.–-][ \t]*(?:\d+ |[a-z(*\[]))", re.IGNORECASE
+)
+"""A round that a sentence names, in the midst of which a line was broken: "… running from | Rnd 13 to Rnd 16."."""
 _SHORT: Final = 6  # words of a heading
 _ALONE: Final = re.compile(
     r"[ \t]*(?:rnd|round|row|rd|r)s?[ \t]*\d+(?:[ \t]*[-–][ \t]*\d+)?[ \t]*[:.)]+[ \t]*\w+[ \t]*", re.IGNORECASE
@@ -89,7 +94,8 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             made.append(row)
             continue
         open_ended = cut[at - 1] and above.tokens[-1].word in _UNENDED and text[row.start : row.start + 1].islower()
-        if open_ended and not _begins(text, above, row, False, begins):
+        named = cut[at - 1] and above.tokens[-1].word in _TO and _ROUNDS.match(text, row.start, row.end) is not None
+        if named or (open_ended and not _begins(text, above, row, False, begins)):
             made[-1] = Row([*made[-1].tokens, *row.tokens], made[-1].start, row.end, made[-1].marked)
             continue
         near = slice(max(0, at - _NEAR), at + _NEAR)

@@ -62,6 +62,13 @@ _IDIOMS: Final = tuple(
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
         # pages of today
+        (r"(?:hold|turn|keep|flip)(?:ing)? (?:the |your )?[a-z]+(?: head)? (?:upside down|head down)(?: ,)?(?: and)?(?: then)?(?= (?:join|attach|insert))", ""),
+        (r"(?:finish (?:off )?(?:with|by) )?(?:a |one |1 )?(sl st|slst|ss) , (?:then )?cut(?: (?:the |your )?yarn)?(?: ,| and)? (?:leave |leaving )?(?:a )?long (?:tail|end|thread)", "{1} , fasten off , leave a long tail"),
+        (r"(?:finish (?:off )?(?:with|by) )?(?:a |one |1 )?(sl st|slst|ss) , (?:then )?cut(?: (?:the |your )?yarn)?(?: , (?:done|finished|that's it))?(?= [.!,]| and|$)", "{1} , fasten off"),
+        (r"(?:a |the )?(?:last|final)(?: little)? (?:bit|pinch|handful|tuft) (?:more )?of (stuffing|filling|fibrefill|fiberfill)", "{1}"),
+        (r"after (?:this|that) (?:row )?and (?:every|each)(?: other)? (row|round)", "after each {1}"),
+        (r"(times|x|\*|\d+) , (?:for |makes |making )?(?:\d+ )(?:scallops|blades|shells|petals|points|teeth|waves|spikes|fans)(?= [.!;]| ?$)", "{1}"),
+        (rf"({NUMBER}) (?:whole|full|entire|complete) (rounds?|rnds?|rds?|rows?)", "{1} {2}"),
         (r"(inc|dec|sc|hdc|dc|incs|decs) \( (\d+) (?:times|x) \)", "{2} {1}"),
         (rf"(to|with|using|in|join|attach|use) (?:the |your )?main (?:colou?r|yarn){_UNLETTERED}", "{1} mc"),
         (rf"(to|with|using|in|join|attach|use) (?:the |your )?(?:contrast|contrasting|secondary|accent) (?:colou?r|yarn){_UNLETTERED}", "{1} cc"),

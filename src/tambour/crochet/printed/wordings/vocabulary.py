@@ -38,6 +38,7 @@ _YARNS: Final = frozenset(
         "of",
     )
 )
+_OF_YARN: Final = (_YARNS - {"."}) | {"cut"}  # before a yarn's letter that means something else elsewhere
 _ENDED: Final = frozenset(("=", "-", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
 _LISTED: Final = frozenset(("=", ":", "-"))  # behind a yarn's letter in a list: "A = red"
 _AFTER: Final = frozenset("in into around to of from across along with until".split())  # behind a stitch and its point
@@ -217,6 +218,13 @@ class Vocabulary:
                 at += 2
                 continue
             found = self._longest(tokens, at)
+            if (
+                token.word in ("r", "w")
+                and token.capital
+                and tokens[at - 1].word in _OF_YARN
+                and not (at + 1 < n and tokens[at + 1].kind == "number")
+            ):
+                found = None  # "With R ch 7": the letter of red yarn, and no round
             if token.word in _ARTICLES and found is not None and found[1] == "stitch" and not _letter(tokens, at):
                 found = at + 1, "filler", None
             if token.word == "x" and (

@@ -34,6 +34,10 @@ _LISTED: Final = re.compile(
     re.MULTILINE,
 )
 """A yarn of a list of materials, with how much of it is wanted."""
+_LETTERED: Final = re.compile(
+    r"(?<![^\W_])((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+) \(([A-Z])\)(?=[^\n]{0,24}?(?:\d ?(?:g|balls?|skeins?|oz|yds?|yards?|m|hanks?)\b|small amount|scrap|a (?:little|bit)))"
+)
+"""A yarn of a list, with its letter and how much of it is wanted: "Black (B) 80 g   White (W) 30 g"."""
 _PURPOSES: Final = re.compile(
     r"\b(?i:(?:change|switch|swap)(?: (?:the )?(?:thread|yarn|colou?r))?(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
     r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b| \d)",
@@ -57,6 +61,12 @@ _NO_NAME: Final = frozenset(
 def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
     """Teaches ``palette`` the yarns that a text begins or goes on with, by the colour that their names or its list tell; those that nothing
     tells get one of our choice."""
+    for m in _LETTERED.finditer(text):
+        words = m[1].split()
+        hue = next((hue for k in range(len(words)) if (hue := _color(" ".join(words[k:]), "")) is not None), None)
+        if hue is not None:
+            palette.given.setdefault(m[2].lower(), hue)
+            palette.named.setdefault(m[2].lower(), m[1])
     shelf = {m[1].lower(): (m[1], m[2] or "") for m in _LISTED.finditer(text)}
     found = [m for pattern in (_STARTS, _CHANGES, _BEHIND) for m in pattern.finditer(text)]
     names = [m[1] for m in sorted(found, key=lambda m: m.start())]

@@ -192,7 +192,7 @@ class Palette:
             if after in LETTERS or (after.isdigit() and len(after) == 1):
                 word, length = after, 2
         if word not in LETTERS and length == 1:
-            return None
+            return (self.given[word], 1) if len(word) == 1 and word in self.given else None
         if word not in self.given:
             self.told.append(word)
         index = _index(word)
