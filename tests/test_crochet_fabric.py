@@ -385,7 +385,7 @@ def test_a_v_stands_upright_however_thin_the_limb(around: int) -> None:
     tilts = []
     for i in np.flatnonzero((graph.round > last - 8) & (graph.round < last - 3)).tolist():
         own_points = out[np.flatnonzero(led.cell == i)]
-        off = own_points[[7, 10, 17, 13]] - middles[0]
+        off = own_points[[7, 10, 17, 14]] - middles[0]  # where they come out, and their tops
         flat = off - np.outer(off @ axis, axis)
         for low, top in ((0, 1), (2, 3)):  # its two legs
             side = np.cross(axis, flat[low] + flat[top])

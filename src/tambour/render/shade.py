@@ -17,9 +17,9 @@ from tambour.render.light import seen
 FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE, TILES, THICK = range(12)
 DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
-MOTTLED = 0.16  # how much lighter and darker single fibres are: less, and wool looks like clay
-SOFT = 0.08  # how round the bottom of the groove between plies is
-DARK, DARKEST = 1.7, 0.55  # how much of the light the groove between plies keeps out, for its depth, and at the most
+MOTTLED = 0.08  # how much lighter and darker single fibres are: twice as much are hard streaks
+SOFT = 0.2  # how round the bottom of the groove between plies is: at .08 it was a hard line
+DARK, DARKEST = 1.1, 0.55  # how much of the light the groove between plies keeps out, for its depth, and at the most
 
 
 @kernel
@@ -196,9 +196,9 @@ def shade(
                             n[0] -= steep * sx_
                             n[1] -= steep * sy_
                             n[2] -= steep * sz_
-                            # Little light gets down between two plies: a thin dark line, as deep as they are round.
-                            crease = 1.0 - abs(ripple) if plies > 0.0 else 0.0
-                            occlude = 1.0 - min(DARKEST, DARK * table[m, GROOVE]) * crease * crease * sqrt(crease)
+                            # Little light gets down between two plies: a soft dark line, as deep as they are round.
+                            crease = 1.0 - ridge / sqrt(1.0 + SOFT) if plies > 0.0 else 0.0
+                            occlude = 1.0 - min(DARKEST, DARK * table[m, GROOVE]) * crease * sqrt(crease)
                             if fibre > 0.0:
                                 # Fibres finer than a sample are not seen one by one.
                                 wide = len(fleece)

@@ -52,7 +52,7 @@ DOMES, DOME = (0.28, 0.36), 2.4
 GATHERED = (0.65, 0.35, 0.12)
 """How far the heads of a last round are drawn in to its tip, as a share of how far they are from it; those of the round that it stands on,
 and of the one before."""
-PULLED = (0.14, 0.07, 0.02)
+PULLED = (0.2, 0.08, 0.02)
 """How far in they are drawn, in widths."""
 STOUT = 24
 """Parts of fewer stitches around are limbs, whose ends are round by themselves."""

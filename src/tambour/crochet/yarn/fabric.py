@@ -45,6 +45,8 @@ LIMP, LIES = 0.55, 6.0
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
+BULGED = 0.04
+"""How much further out bends lie where points of a curve were left out, as a share of how far they bend."""
 LONGEST = 5.0
 """Segments are shorter than this, in radii, where strands are pushed apart: one long one makes pairs dear to find."""
 
@@ -121,6 +123,7 @@ def strands(
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
     coords, ends, of = _thinner(coords, ends, of, min(stray, 0.3) * radius)
+    coords = _bulged(coords, ends)
     coords, ends, again = points.dense(coords, ends, LONGEST * radius)
     of = points.between(of, again)
     # What is drawn is what has its room: nothing is rounded or left out after this, but in low detail.
@@ -203,6 +206,16 @@ def eased_out(coords: Array, ends: Array, times: int) -> Array:
     return np.ascontiguousarray(coords)
 
 
+def _bulged(coords: Array, ends: Array) -> Array:
+    """Polylines whose bends lie a little further out: straight between the points that are left of a curve, they would cut it short."""
+    out, inner = coords.copy(), np.ones(len(coords), np.bool_)
+    some = np.diff(ends) > 0
+    inner[ends[:-1][some]] = inner[ends[1:][some] - 1] = False
+    at = np.flatnonzero(inner)
+    out[at] += BULGED * (coords[at] - 0.5 * (coords[at - 1] + coords[at + 1]))
+    return out
+
+
 def _named(graph: StitchGraph, kind: str) -> list[int]:
     return [k for k, name in enumerate(graph.kinds) if name == kind]
 
@@ -270,7 +283,7 @@ NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
 SLUB, THIN = 9, 0.07
 """Yarn grows thicker and thinner every so many points, by so much of its radius."""
-GROOVE = 0.22
+GROOVE = 0.26
 """How deep the plies of such yarn lie apart in its outline, in radii drawn."""
 WANDER = 0.06
 """Yarn is twisted more and less along its way, by so many turns."""
@@ -282,12 +295,12 @@ KINKS = 6
 """How often the bends of such yarn are shared with their neighbours: strands that were pushed apart have kinks."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 7.4
-"""Radii along which plies wind once about the yarn: they lie 37 degrees to its way, as in worsted of four plies. At 13 a leg of a V showed one
-shallow groove, and nobody saw plies; at 7.5 the leg that leans against the twist showed them lying along it, and the other a corkscrew."""
-LEANING, LOOSE, HIGH = 0.19, 0.14, 0.045
+LAY = 5.6
+"""Radii along which plies wind once about the yarn, as worsted of four plies is twisted. At 13 a leg of a V showed one shallow groove, and nobody
+saw plies; at 7.4 they lay along the leg that leans against the twist, which was a smooth petal."""
+LEANING, LOOSE, HIGH = 0.13, 0.11, 0.04
 """How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
-UNEVEN, DRIFT, HELD = 0.036, 0.09, 6
+UNEVEN, DRIFT, HELD = 0.03, 0.07, 6
 """How far single stitches lie out of line, in widths, and how far several do, of about as many: hands are not machines."""
 
 

@@ -14,8 +14,8 @@ from tambour.crochet.yarn.loops import TALL
 
 BLOCK = 1 << 15
 """Points that are worked on at once."""
-PRESSED = 0.12
-"""How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
+PRESSED = 0.05
+"""How much thinner yarn is where it goes through the fabric: the strands around it press it together. At .12 legs were kernels, pointed at both ends."""
 SQUEEZED = 0.28
 """How much thinner a head's front strand is under what is worked over it: between the legs of two stitches, a tooth of its colour."""
 FULLER = 0.2
