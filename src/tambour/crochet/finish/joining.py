@@ -82,6 +82,7 @@ class Joined:
     stays, rest : pairs (K, 2) of nodes and lengths (K,), in stitches, that keep parts at their angles
     lying : (L, 4) stitches of the seams and the triangles of the fabric that they lie on
     around : (T, 3) triangles of seams by which several pieces enclose one volume: a ball of motifs
+    cleared : (N, 3) how far each node was moved, with all of its part, from where it is said to be, to be clear of what is there
     """
 
     x: Array
@@ -92,6 +93,7 @@ class Joined:
     rest: Array
     lying: Array
     around: Array
+    cleared: Array
 
     def on(self, body: Body, nodes: Array) -> Body:
         """The body of ``nodes`` (rising) with its parts in their places."""
@@ -287,6 +289,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         x = poised(spots, x, k) if b not in onto else x
     nodded = {} if built.pattern.exact else _nodded(joining, x, body, onto)
     upright = np.tile([0.0, 1.0, 0.0], (len(graph.parts), 1))
+    cleared = np.zeros_like(x)
     group = {b: [b] for b in range(len(bodies))}
     shell = graph.faces[built.shell]
     seams, held, stays, rest = [], [], [], []
@@ -350,6 +353,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
             x[own] = moved
         else:
             x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], host, frame.normals[0])
+            cleared[own] = x[own[0]] - moved[0] + cleared[bodies[body[other]][0]]
         upright[part] = turned(upright[other], sewing.leaning(f, frame))
         if end.ring and not end.laid and not len(low) and len(end.nodes) >= sewing.WIDE:
             springs, lengths = sewing.rounded(x, seams[-1], straight[rank], bodies[body[other]], frame)
@@ -369,7 +373,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         held += [(int(a), int(b)) for a, b in together]
     for k, turn in nodded.items():
         own = np.concatenate([bodies[b] for b in group[body[k]]])
-        x[own] = turned(x[own], turn)
+        x[own], cleared[own] = turned(x[own], turn), turned(cleared[own], turn)
         mine = np.unique(graph.part[own])
         upright[mine] = turned(upright[mine], turn)
     return Joined(
@@ -381,6 +385,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.concatenate([np.zeros(0), *rest]),
         np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams[: len(joining.steps)])]),
         around,
+        cleared,
     )
 
 

@@ -263,8 +263,7 @@ def ways(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tuple[
     n, along, up = frame.normals[0], frame.along[0], frame.up[0]
     a = math.radians(placed.across)
     if end.ring:
-        # The front looks down (on top: ahead); under the toy, where fabric leans a little either way, ahead.
-        ahead = math.copysign(1.0, float(up[2])) * up if n[1] < UNDER else -up
+        ahead = ahead_on(n, up)
         front = math.cos(a) * ahead + math.sin(a) * np.cross(n, ahead)
     else:
         front = math.cos(a) * along + math.sin(a) * up
@@ -272,6 +271,12 @@ def ways(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tuple[
         return n, front
     turn = leaning(placed, frame)
     return turned(n, turn), turned(front, turn)
+
+
+def ahead_on(n: Array, up: Array) -> Array:
+    """Where the front of a ring looks that stands on fabric with the normal n (3,) and ``up`` (3,) on it: down (on top: ahead); under the
+    toy, where fabric leans a little either way, ahead."""
+    return np.asarray(math.copysign(1.0, float(up[2])) * up if n[1] < UNDER else -up)
 
 
 def leaning(placed: Placed, frame: Frames) -> Array:

@@ -13,7 +13,7 @@ from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish.capped import lid_on
 from tambour.crochet.finish.joining import Joining, frame_of, join
 from tambour.crochet.finish.placing import Frames
-from tambour.crochet.finish.sewing import UNDER, End, Held, end_of, held, leaning
+from tambour.crochet.finish.sewing import End, Held, ahead_on, end_of, held, leaning
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, Spot
@@ -72,7 +72,7 @@ Nudges = dict[Key, tuple[Array, Array]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Put:
-    """Parts as they are sewn on, before anything gives way.
+    """Parts as they are said to be sewn on, before anything gives way.
 
     lines : what says so, such as ``place(Arm.1, Body, round=17.5, stitch=8, tilt=60, towards=135)``; x : (N, 3) all nodes
     said : how every one is; likely : how far, in stitches, one lies off so, of those that were chosen by that
@@ -100,6 +100,7 @@ def placed(
     fine: bool,
     stays: dict[Key, Placed] | None = None,
     had: dict[Key, list[dict[Key, Placed]]] | None = None,
+    then: dict[Key, Placed] | None = None,
 ) -> Put:
     """Every piece sewn on. Where each belongs is told from the body that all of it hangs on: what is sewn to a limb would else have all that
     the limb leans, or is turned about itself, too much, and add its own.
@@ -107,9 +108,10 @@ def placed(
     even : the model is its own mirror image there, left and right, and a pair is sewn on by the same words, each as the other's image
     fine : places and angles as near as can be; else those that there are words for
     stays : how those are sewn on that are not to be looked for
+    then : how each was sewn on when it gave way as its nudge is for
     had : how all were sewn on, where a part's ways are not to be found again, of a pair its first's; of what hangs on a limb those where that was as it is now
     """
-    stays, had = stays or {}, had or {}
+    stays, had, then = stays or {}, had or {}, then or {}
     likely: dict[Key, float] = {}
     spots = _spots(tuple(p.rounds for p in pieces))
     built, graph = spots.built, spots.built.graph
@@ -188,7 +190,7 @@ def placed(
                 there_[nodes] = want
                 out = vertex_normals(there_, graph.faces[built.shell])[nodes]
                 room = max(1.5, len(end.nodes) / (2.0 * math.pi))
-                wishes[k, c] = Wish(host, spot, point, own, want, out, room)
+                wishes[k, c] = Wish(host, spot, point, own, want, out, room, then.get((k, c)))
             held_by[k, c] = nodes, how
         waiting = [key for key in waiting if key not in ready]
         standing |= set(ready)
@@ -217,8 +219,14 @@ def placed(
         for k in {k for k, _ in held_by if (k, 0) in pairs}:
             _as_one(steps, (k, 0), (k, 1), pairs)
         held_by.clear()
-    x = join(Joining(built, spots, tuple(steps.values()), ()), alone, bodies).x
-    return Put([_line(said) for said, _ in steps.values()], x, {key: said for key, (said, _) in steps.items()}, likely)
+    made = join(Joining(built, spots, tuple(steps.values()), ()), alone, bodies)
+    # Where its words put it: that a part begins clear of the fabric is gone as its seam is pulled.
+    return Put(
+        [_line(said) for said, _ in steps.values()],
+        made.x - made.cleared,
+        {key: said for key, (said, _) in steps.items()},
+        likely,
+    )
 
 
 @lru_cache(maxsize=4)
@@ -237,7 +245,7 @@ def angled(plain: Placed, frame: Frames, axis: Array, front: Array, fine: bool) 
     tilt, towards = _leans(tilt, towards, fine)
     said = replace(plain, tilt=tilt, towards=towards)
     back = turned(front, leaning(said, frame).T)
-    ahead = up if n[1] < UNDER else -up
+    ahead = ahead_on(n, up)
     across = math.degrees(math.atan2(float(dot(back, np.cross(n, ahead))), float(dot(back, ahead))))
     return replace(said, across=_said(across, 1 if fine else TURN))
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.finish.placing import level
-from tambour.crochet.finish.sewing import UNDER
+from tambour.crochet.finish.sewing import ahead_on
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Spot
+from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.words.phrases import CLOCK, LEANS, TURN
 from tambour.geometry.motion import dot, length
 
@@ -27,6 +27,9 @@ ALONG = 0.1
 """What a square that a node lies off along the fabric counts, against one across it: that of a part that is round shows hardly."""
 WORDS = 0.15
 """What a lean, or a turn about itself, has to win, in stitches, to be worth its words."""
+OTHERWISE, ELSEWHERE = 0.003, 0.1
+"""What it costs, in stitches, to be held otherwise by a degree, or elsewhere by a stitch, than in the way that tells how a part gives way:
+there it gives way otherwise (a leg that is turned about itself by an eighth more leans by ten degrees less)."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -77,7 +80,7 @@ class Wish:
 
     host : what it is sewn on, near ``near``, the place nearest to ``point`` (3,), on the fabric within ``room``
     own : (K, 3) its nodes, from the middle of its end: along its axis, its front and across both; want : (K, 3) where they belong;
-    out : (K, 3) the normals of its fabric there
+    out : (K, 3) the normals of its fabric there; as_then : how it was sewn on when it gave way as is reckoned with, None where it was not yet
     """
 
     host: Host
@@ -87,6 +90,7 @@ class Wish:
     want: Array
     out: Array
     room: float
+    as_then: Placed | None = None
 
 
 def poses(wish: Wish) -> Poses:
@@ -112,10 +116,21 @@ def levels(host: Host, near: Spot) -> list[tuple[float, int, Array]]:
 
 def priced(wish: Wish, spots: list[Spot]) -> Poses:
     """The ways to sew a part on at ``spots``, with what each costs."""
-    off = _off(wish.own, wish.want, wish.out)
-    return Poses(
-        tuple(spots), np.array([_prices(wish.host, point_of(wish.host, spot), off, wish.room) for spot in spots])
-    )
+    off, points = _off(wish.own, wish.want, wish.out), [point_of(wish.host, spot) for spot in spots]
+    price = np.array([_prices(wish.host, point, off, wish.room) for point in points])
+    if wish.as_then is not None:
+        far = length(np.array(points).reshape(-1, 3) - point_of(wish.host, wish.as_then.spot))
+        price = price + OTHERWISE * _otherwise(wish.as_then) + ELSEWHERE * far[:, None, None]
+    return Poses(tuple(spots), price)
+
+
+def _otherwise(then: Placed) -> Array:
+    """By how many degrees every lean and turn (L, A) is another than ``then``."""
+    tilt, towards = np.radians(np.array([*LEANED, (then.tilt, then.towards)], float)).T
+    way = np.column_stack([np.sin(tilt) * np.cos(towards), np.sin(tilt) * np.sin(towards), np.cos(tilt)])
+    leans = np.degrees(np.arccos(np.clip((way[:-1] * way[-1]).sum(1), -1.0, 1.0)))
+    turns = np.abs((np.array(WAYS, float) - then.across + 180.0) % 360.0 - 180.0)
+    return np.asarray(leans[:, None] + turns)
 
 
 def _off(own: Array, want: Array, out: Array) -> Array:
@@ -146,7 +161,7 @@ def _prices(host: Host, point: Array, off: Array, room: float) -> Array:
     n = n / max(float(length(n)), 1e-9)
     along, up = (row[0] for row in level(n[None], host.upright[None]))
     turns = np.radians(WAYS)[:, None]
-    ahead = up if n[1] < UNDER else -up
+    ahead = ahead_on(n, up)
     front = np.cos(turns) * ahead + np.sin(turns) * np.cross(n, ahead)
     held = np.stack([np.broadcast_to(n, front.shape), front, np.cross(n, front)], axis=2)
     tilt, towards = np.radians(np.array(LEANED, float)).T[:, :, None]
