@@ -118,3 +118,85 @@ def test_no_stitch_is_counted_below_the_first() -> None:
     for r in pattern(_fish("The stitch you are about to make is the middle of the back.")).finish:
         if isinstance(r, Placed | Eye) and r.spot.stitch is not None:
             assert r.spot.stitch >= 0.5
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        "Pin the belly on first. It goes lengthwise along the underside with the ridges running nose to tail, starting right below the nose at about Rnd 4 "
+        "and ending near Rnd 12, with 3 sts of blue showing between each eye and the white edge.",
+        "First the belly. Pin it on the underside, starting at Rnd 4 and ending by Rnd 12.",
+    ],
+)
+def test_a_part_that_was_taken_up_is_what_its_paragraph_is_about(how: str) -> None:
+    words = _fish().replace("Belly: sew it to the underside of the body over Rnd 5 to Rnd 10. ", how)
+    belly = next(r for r in pattern(words).finish if isinstance(r, Placed) and r.part == "BELLY")
+    assert (belly.spot.part, belly.spot.round) == ("BODY", 8.0)
+
+
+def test_a_smile_is_crocheted_onto_the_face_ahead_of_the_belly() -> None:
+    words = _fish(
+        drawn="With white, surface sl st a smile: 8 sl sts curving across the front, just ahead of the belly (Rnd 3 in the middle)."
+    )
+    smile = [r for r in pattern(words).finish if isinstance(r, Embroidery)]
+    assert [(r.motif, r.spots[0].part) for r in smile] == [("smile", "BODY")]
+
+
+def test_what_stands_under_a_label_of_a_place_is_drawn() -> None:
+    made = _drawn("* Forehead: 3 stripes with rust, straight stitches from R5 to R9.")
+    assert [r.spots[0].part for r in made] == ["HEAD"] * 3
+
+
+_TOADSTOOL = (
+    "TOADSTOOL HOUSE\nA little house.\n\nWALLS (cream)\n" + _BALL.format(last=4).replace("Rnd 5-4: sc in each st (24)\n", "") + "Rnd 5: (3 sc, inc) x 6 (30)\n"
+    "Rnd 6-16: sc in each st (30)\nFasten off. Stuff.\n\n"
+    "DOOR (brown, in rows)\nCh 6.\nRow 1: sc in 2nd ch from hook and in each ch across (5)\nRow 2-6: ch 1, turn, sc across (5)\nSome long black stitches make planks.\n\n"
+    "BIG WINDOWS (make 2, yellow)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nWith brown sew a cross over the yellow.\n\n"
+    "ATTIC WINDOW (yellow)\nRnd 1: 6 sc in MR (6)\n\n"
+    "ROOF (red)\nBegin at the top.\n" + _BALL.format(last=4).replace("Rnd 5-4: sc in each st (24)\n", "") + "Rnd 5: (3 sc, inc) x 6 (30)\nRnd 6: (4 sc, inc) x 6 (36)\nRnd 7: (5 sc, inc) x 6 (42)\n"
+    "Rnd 8-12: sc in each st (42)\n\n"
+    "CHIMNEY (grey)\nRnd 1: 6 sc in MR (6)\nRnd 2-6: sc in each st (6)\n\n"
+    "PUTTING IT TOGETHER\nSew the door to the front of the walls, its bottom edge on Rnd 6.\n"
+    "The windows go right and left from the door, 2 sts free between frame and window, centre of the window at about Rnd 10.\n"
+    "Sew the roof to the walls.\nAttic window in the front, middle at about Rnd 10, over the door.\n"
+    "The chimney goes on the {side}-hand slope, halfway between the tip of the roof and its rim.\n"
+)  # fmt: skip
+
+
+def _house(side: str = "right") -> list[Placed | Embroidery]:
+    found = pattern(_TOADSTOOL.format(side=side))
+    return [r for r in found.finish if isinstance(r, Placed | Embroidery)]
+
+
+def test_windows_leave_stitches_free_beside_the_frame_of_their_door() -> None:
+    placed = {r.part: r for r in _house() if isinstance(r, Placed)}
+    one, other = (placed[f"BIG WINDOWS.{k}"].spot.stitch or 0.0 for k in (1, 2))
+    assert placed["DOOR"].spot.round == pytest.approx(9.0)  # it stands on round 6
+    assert abs(one - other) == pytest.approx(2 * (2 + 3.0 + 0.5 + 12 / (2 * np.pi)), abs=0.05)
+
+
+def test_an_attic_window_is_in_the_roof() -> None:
+    placed = {r.part: r for r in _house() if isinstance(r, Placed)}
+    assert (placed["ATTIC WINDOW"].spot.part, placed["ATTIC WINDOW"].spot.round) == ("ROOF", 10.0)
+    assert placed["BIG WINDOWS.1"].spot.part == "WALLS"
+
+
+def test_a_chimney_is_halfway_down_the_slope_on_the_side_of_who_looks_at_the_door() -> None:
+    at = {}
+    for side in ("right", "left"):
+        record = next(r for r in _house(side) if isinstance(r, Placed) and r.part == "CHIMNEY")
+        assert record.spot.part == "ROOF" and 4 <= record.spot.round <= 9
+        at[side] = record.spot.stitch or 0.0
+    middle = 1 + 42 / 2
+    assert (at["right"] - middle) * (at["left"] - middle) < 0
+
+
+def test_crosses_and_planks_are_drawn_on_the_part_that_they_stand_in() -> None:
+    drawn = [r.spots[0].part for r in _house() if isinstance(r, Embroidery)]
+    assert sorted(drawn) == sorted(["BIG WINDOWS.1"] * 2 + ["BIG WINDOWS.2"] * 2 + ["DOOR"] * 3)
+
+
+def test_stitches_that_only_hold_a_leg_put_nothing_anywhere() -> None:
+    how = "Front legs: closed edge on the body between R18 and R19, at the front, 2 sts apart. Fix the inner side of each leg with a few stitches at R10."
+    legs = [r for r in pattern(_CAT.format(how=how)).finish if isinstance(r, Placed) and r.part.startswith("FRONT")]
+    assert {r.spot.round for r in legs} == {18.5}

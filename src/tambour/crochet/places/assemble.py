@@ -195,7 +195,9 @@ class Assembly(Hosts):
             p for p in waiting if p.kind in _SNOUTS and any(b[:2] == ("between", "eye") for b in p.where.beside)
         ]
         under = self._under(self.bearer, waiting)
-        trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem") or p.copies[0][0] in under]
+        roofed = [p for p in waiting if p.host is not None and p.host[0].kind == "hat"]  # a chimney waits for its roof
+        trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem") and p not in roofed]
+        trunk = [p for p in waiting if p in trunk or p.copies[0][0] in under]
         for p in trunk:
             self.out += [(p.order, record) for record in put.part(p)]
         # Eyes whose rounds are known come before a muzzle, which is below them.

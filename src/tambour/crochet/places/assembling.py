@@ -120,6 +120,8 @@ def assembling(text: str, names: list[str]) -> bool:
         return True
     if re.search(r"\bembroider\w*\b", low):
         return True
+    if DRAWN.search(low) and face.motifs(low) in (["lines"], ["cross"]):
+        return True
     if re.search(r"\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or TO.search(low)):
         return True
     if re.search(

@@ -47,6 +47,10 @@ _LIKE: Final = {
     "flower": "bow",
     "rosette": "bow",
 }
+_OF_HOUSE: Final = re.compile(
+    r"\b(?:left|right)(?:-hand)? (?:hand )?(?:side |slope )?of the (?:roof|house|cottage|door|cap|building)\b"
+)
+"""Sides of what has no face: those of who looks at it."""
 
 
 class Beside:
@@ -103,10 +107,8 @@ class Beside:
         if "front" in said and "back" not in said and copies <= 2:
             z = max(0.9, z)
             y = y if abs(y) < 0.9 else 0.5 * y
-        if "left" in said and "right" not in said and copies == 1:
-            x = 0.9
-        if "right" in said and "left" not in said and copies == 1:
-            x = -0.9
+        if len(said & {"left", "right"}) == 1 and copies == 1:  # a toy's own, a house's as one looks at its door
+            x = 0.9 if ("left" in said) != bool(_OF_HOUSE.search(at.text)) else -0.9
         if "forehead" in said:
             y, z = 0.6, 0.85
         if "upper" in said and abs(y) < 0.9:
@@ -119,9 +121,10 @@ class Beside:
             x, axis = 0.3, None if axis is None else (0.3, axis[1], axis[2])
         if "middle" in said and not said & {"upper", "lower", "top", "bottom", "neck"} and copies == 1:
             x, y = (
-                0.0,
+                (x if len(said & {"left", "right"}) == 1 else 0.0),  # halfway up the slope on one side
                 (0.0 if abs(y) < 0.95 and kind != "tail" else y),
             )  # a tail in the middle of the back is as low as any
+            y = 0.5 if x and "halfway" in at.text else y
         line = way.line
         lean = 0.45 if "slightly" in said else 1.3
         base = np.array(axis if axis is not None else (x, y, z), float)

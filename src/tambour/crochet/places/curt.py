@@ -21,7 +21,7 @@ _TAKEN: Final = re.compile(
 """What is taken up before its place is said: "Then I take the muzzle: in the middle of the face"."""
 _OWN: Final = re.compile(
     rf"^{_LIST}(?P<what>(?:(?:the|both|all)\s+)?(?:[a-z]+\s+){{0,2}}[a-z]+)\s*:\s*(?:(?:the|their|its|with the)\s+)?"
-    r"(?:closed|open|flat|folded|narrow|wide|pressed|upper|top|sewn)\s+(?:edge|end|side|rim)s?\s+(?=(?:on|at|to|in|between|over|against)\b)",
+    r"(?:closed|open|flat|folded|narrow|wide|pressed|upper|top|sewn)\s+(?:edge|end|side|rim)s?\s+(?=(?:on|at|to|in|between|over|against|under|below|behind|beside|along)\b)",
     re.IGNORECASE,
 )
 """What of a part is sewn: "Legs: the closed edge at round 8"."""

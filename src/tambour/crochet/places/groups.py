@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Final
 
 from tambour.crochet.places.assembling import AGAIN
@@ -55,6 +56,14 @@ _BARE: Final = re.compile(
 )
 """A place below nothing that is named: "locate the nose 1 rnd below and embroider it"."""
 _EYES: Final = re.compile(r"\beyes\b")
+
+
+def paired(mention: Mention, sides: bool) -> Mention:
+    """Of several parts that one word names, on both sides of something those that are made twice: "The windows left and right of the door" are
+    no attic window."""
+    twice = tuple(c for c in mention.copies if c[0].copies == 2)
+    single = any(c[0].copies == 1 for c in mention.copies)
+    return replace(mention, copies=twice) if sides and twice and single else mention
 
 
 def below_eyes(low: str, put: list[str]) -> str:
@@ -159,3 +168,10 @@ def apart(copies: list[tuple[Made, int]]) -> list[list[tuple[Made, int]]]:
         key = " ".join(w for w in part.words if w not in SIDED) if sided else part.name
         groups.setdefault(key, []).append((part, k))
     return list(groups.values())
+
+
+def of_each(mention: Mention, copies: list[tuple[Made, int]]) -> tuple[Made, int]:
+    """What is meant by a part that is named as a place: its first copy, or each (0) where as many are sewn to them."""
+    part, k = mention.copies[0]
+    own = [c for c in copies if c[0] == copies[0][0]]
+    return (part, 0) if len(mention.copies) > 1 and len(own) % part.copies == 0 else (part, k)

@@ -20,9 +20,14 @@ _MEETS: Final = (
 )
 
 _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
+    (rf"({_R})\s*\((?:the\s+)?(?:inner|outer|upper|lower|front|back|top|bottom)\s+(?:corner|edge|end|side)s?\)", r"\1"),
+    (
+        r"\bunder\s+the\s+(?:(?:front|lower|upper|back|rear)\s+)+edge\s+of\s+(the|each|its)\s+(thigh|haunch|hip)s?\b",
+        r"to the front of \1 \2",
+    ),
     # rounds that a piece is sewn over
     (
-        rf"\b(?:start|begin)\w*\s+(?:\w+\s+)?(?:at|in|on|from|with)\s+{_R},?\s*(?:and\s+)?(?:to\s+)?(?:end|finish|stop)\w*\s+(?:at|in|on|with|by)\s+{_R}",
+        rf"\b(?:start|begin)\w*\s+(?:[^.;\d]{{0,40}}?\s)?(?:at|in|on|from|with|near|by)\s+(?:about\s+)?{_R},?\s*(?:and\s+)?(?:to\s+)?(?:end|finish|stop)\w*\s+(?:at|in|on|with|by|near|about)\s+(?:about\s+)?{_R}",
         r"over rounds \1 to \2",
     ),
     (rf"\bfrom\s+{_R}\s+(?:all the way\s+)?(?:down|up)(?:wards?)?\s+(?:to|till|until)\s+{_R}", r"over rounds \1 to \2"),
@@ -47,11 +52,15 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         rf"\b(?:tops?|upper edge)\s+(?:touch|meet|reach)\w*\s+(?:the\s+)?neck(?:\s+(?:seam|edge|line))?[^.;\d]{{0,40}}?\b(?:bottom|lower edge)\s+(?:\w+\s+){{0,2}}?(?:to|at|on)\s+(?:about\s+)?{_R}",
         r"at the neck, lower edge on round \1",
     ),
+    (
+        rf"\b(?:doorstep|threshold|sill|(?:its|the)\s+(?:bottom|lower)\s+(?:edge|end))\s+(?:exactly\s+|right\s+|just\s+)?(?:on|at|along)\s+{_R}(?:\s+(?:edge|line))?",
+        r"lower edge on round \1",
+    ),
     # what is not meant, and how a piece runs or what it touches, say no place
     (r"\s*\(\s*not\b[^()]*\)|\s*[,–—-]+\s*not\s+(?:upright|standing|vertical|lying|flat|sideways)\b[^.;,]*", ""),
     (
         r",?\s*\b(?:with\s+)?(?:the\s+|its\s+)?(?:stripes|ridges|rows|grooves|long sides?|short sides?|ribs)\s+(?:go|run|point|lie|lying|going|running|pointing)\w*\s+"
-        r"(?:from\s+\w+\s+to\s+\w+|across|along|lengthwise|sideways|up and down|from side to side)\b",
+        r"(?:(?:from\s+)?(?:the\s+)?\w+\s+to\s+(?:the\s+)?\w+|across|along|lengthwise|sideways|up and down|from side to side)\b",
         "",
     ),
     (
@@ -62,6 +71,11 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         r",?\s*\b(?:and\s+|with\s+)?(?:the\s+|its\s+|their\s+)?(?:front|back|inner|outer|upper|lower)\s+(?:edge|end|side|tip|corner)s?\s+(?:\w+\s+)?touching\b[^.;,]*",
         "",
     ),
+    (
+        rf",?\s*\bwith\s+{QUANTITY}\s*{ST}\b[^.;\d]*\bbetween\s+(?:each|the|both|every)\s+(?:\w+\s+)?eyes?\s+and\b[^.;,]*",
+        "",
+    ),
+    (rf"\b({QUANTITY})\s+sl ?sts?\s+(?:curving|running|going)\s+across\b", r"\1 stitches wide across"),
     (r",?\s*\b(?:exactly\s+|directly\s+|right\s+)?opposite\s+(?:the\s+)?back\b(?:\s+(?:marker|seam|line))?", ""),
     (
         r"\b(?:on|down|up)\s+(?:the\s+)?(right|left)[- ]hand\s+(?:side\s+of\s+the\s+)?slope\b",
@@ -104,7 +118,7 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
     ),
     # stitches between two
     (
-        rf"\b({QUANTITY})\s+{_FREE}{ST}\s+(?:(?:visible|showing|left|remaining|free|empty|open|wide|clear|in)\s+)*(?:between|in the middle\b(?! of)|inbetween)",
+        rf"\b({QUANTITY})\s+{_FREE}{ST}\s+(?:of\s+(?:the\s+)?[a-z]+\s+)?(?:(?:visible|showing|left|remaining|free|empty|open|wide|clear|in)\s+)*(?:between|in the middle\b(?! of)|inbetween)",
         r"\1 stitches between",
     ),
     (

@@ -41,6 +41,8 @@ from tambour.crochet.places.groups import (
     apart,
     below_eyes,
     grouped,
+    of_each,
+    paired,
 )
 from tambour.crochet.places.habits import plainly, unlisted
 from tambour.crochet.places.hairdo import COMBED, SEWN_HAIR, is_hair
@@ -88,9 +90,9 @@ _BACK, _FAR = 240, 4
 """So many letters, and one sentence fewer, before a sentence tell what "them" are in it."""
 _EACH: Final = re.compile(r"\b(?:each|both|either|every)\b")
 _NEAR: Final = re.compile(
-    r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|level with|in line with|"
+    r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|close to|alongside|behind|in front of|ahead of|level with|in line with|"
     r"on (?:either|both|each) sides? of(?! (?:the |its )?(?:tip|end)\b)|as|from|towards?|so that|so|between (?:the |each |both )?\w+ and)\s+"
-    r"(?:the\s+|an?\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+|end\s+|edge\s+|tip\s+|of\s+|white\s+|cream\s+|black\s+|pink\s+|red\s+|light\s+|dark\s+)*$"
+    r"(?:the\s+|an?\s+|each\s+|both\s+|its\s+|his\s+|her\s+|two\s+|side\s+|front\s+|back\s+|hind\s+|end\s+|edge\s+|frame\s+|tip\s+|of\s+|white\s+|cream\s+|black\s+|pink\s+|red\s+|light\s+|dark\s+)*$"
 )
 """Words before a part that something is only near."""
 _BEHIND: Final = re.compile(r"\b(?:behind|below|beneath|under|underneath)\s+(?:the|his|her|its)\s+$")
@@ -228,8 +230,11 @@ class Heard:
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
         low = plainly(low)
-        if (more := lines.second(low)) and self._clause(low[:more], sentence, order, color):
-            return self._clause(f"embroider {low[more:]}", sentence, order, color) or True
+        if (more := lines.second(low)) and self._clause(low[:more], sentence, order, color) and self.features:
+            before = self.features[-1:]
+            self._clause(f"embroider {low[more:]}", sentence, order, color)
+            before[0].host = before[0].host or self.features[-1].host
+            return True
         low = _EDGES.sub(r"sew \1 to ", MEET.sub("neck of body" if _FROM_MEET.search(low) else "at neck of body", low))
         found = mentions(low, self.parts)
         if (under := UNDER_HEAD.search(low)) and self._limbs(found, under.start()):
@@ -402,8 +407,12 @@ class Heard:
             return bool(objects or sentence.part)
         if not objects:
             return False
-        copies = list(dict.fromkeys(c for m in objects for c in self._counted(its_own(m, sentence.part), low)))
-        host = next((_each(m, copies) for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
+        copies = list(
+            dict.fromkeys(
+                c for m in objects for c in self._counted(paired(its_own(m, sentence.part), "sides" in at.words), low)
+            )
+        )
+        host = next((of_each(m, copies) for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
         if host is None and re.search(r"\btog(?:ether)?\b", low) and len({p.name for p, _ in copies}) == 2:
             host = copies.pop()
             host = (host[0], 0) if host[0].copies == len([c for c in copies if c[0] != host[0]]) > 1 else host
@@ -489,10 +498,3 @@ class Heard:
             )
             else ""
         )
-
-
-def _each(mention: Mention, copies: list[Copy]) -> Copy:
-    """What is meant by a part that is named as a place: its first copy, or each (0) where as many are sewn to them."""
-    part, k = mention.copies[0]
-    own = [c for c in copies if c[0] == copies[0][0]]
-    return (part, 0) if len(mention.copies) > 1 and len(own) % part.copies == 0 else (part, k)

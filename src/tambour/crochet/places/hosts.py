@@ -34,6 +34,8 @@ _TRIMMINGS: Final = frozenset("edging trim ruffle strap tie lace band".split())
 """Words of what is worn that a cake may have too."""
 _CLOTHES: Final = re.compile(r"\b(?:outfit|clothes|clothing|wardrobe|accessories|costume|cardigan|dress)\b")
 """What titles of patterns for clothes say."""
+_OF_ROOF: Final = frozenset(("attic", "dormer", "skylight"))
+"""Words of a window that is in a roof."""
 _OTHERS: Final = re.compile(r"\b(?:remaining|others?|rest|next|second|third|another|each)\b")
 """Words of a sentence that puts others of a part elsewhere."""
 
@@ -151,6 +153,8 @@ class Hosts(Likely):
         if kind == "hat" and hair and hair[0] != made and p.host[0] not in hair and not p.where.says:
             p.host = (hair[0], 1)  # over the hair, not inside of it
         crowned = p.host[0] == head or (head is None and p.host[0] == main and self._goes_on_head(p))
+        if hats and _OF_ROOF & set(made.words) and (p.guess or not p.where.beside or p.host[0] == main):
+            p.host = (hats[0], 1)  # an attic window, over the door
         if kind == "spot" and main.kind == "stem" and hats and p.host[0] == main and not p.where.says:
             p.host = (hats[0], 1)  # a toadstool's are on its cap
         if kind in _CROWNING and crowned and hats and p.where.rounds is None and not p.where.beside:

@@ -23,7 +23,7 @@ LINES: Final = re.compile(
 )
 """Lines that are told by their number: "three short straight lines", "3 short upright stitches"."""
 CROSS: Final = re.compile(
-    r"\b(?:an?|the)\s+(?:[a-z]+\s+){0,2}?cross\b(?!\s+(?:st|over|stitch))|\bcross\b(?=\s+(?:in|of|over)\s+(?:the\s+)?[a-z]+)(?!\s+over\b)"
+    r"\b(?:an?|the)\s+(?:[a-z]+\s+){0,2}?cross\b(?!\s+(?:st|stitch)\b)|\bcross\b(?=\s+(?:in|of|over)\s+(?:the\s+)?[a-z]+)(?!\s+over\b)"
 )
 _LENGTHWISE: Final = re.compile(
     r"\blengthwise\b|\blengthways\b|\bfrom (?:the )?(?:nose|head|front) to (?:the )?(?:tail|back|end)\b"
@@ -37,6 +37,10 @@ _FLAT: Final = 0.3
 _TUBE: Final = 2.0
 """A part is a tube that is so many times as long as wide."""
 _HALF: Final = 0.5
+_ALSO: Final = re.compile(
+    r"\b(?:embroider|sew|make|add|stitch|work)\w*\b.*\b(?:knots?|nose|mouth|smile|eyes|eyebrows?|cheeks)\b.*,?\s+and\s+$"
+)
+"""What is drawn before them in the same sentence: "Embroider one yellow French knot, and two long stitches down the door"."""
 _NEAR: Final = 3
 _HEADS: Final = re.compile(rf"\W*(?:{ROUND}s?\s?\.?\s*\d|\d{{1,2}}\s*[.):]\s)", re.IGNORECASE)
 """So many lines, the sentence's own with them, hold the last round of the part that it stands in; how rounds begin."""
@@ -67,7 +71,8 @@ def behind_rounds(text: str, begin: int) -> bool:
 def second(low: str) -> int:
     """Where a sentence (in small letters) goes on with other lines somewhere else, "…, and three bands across the tail"; 0 where it does not."""
     found = [m.start() for m in LINES.finditer(low)]
-    return found[1] if len(found) > 1 else 0
+    behind = found[:1] if found and _ALSO.search(low[: found[0]]) else found[1:2]
+    return behind[0] if behind else 0
 
 
 def drawn(host: Host, name: str, middle: Array | None, low: str, at: Where, color: RGB, span: Span) -> list[Embroidery]:

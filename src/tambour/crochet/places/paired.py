@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -20,6 +21,10 @@ _BULGES: Final = 0.85
 """How much of its widest round a snout covers of what is behind it."""
 _OVER_TOP: Final = 1.5
 """Ears so many stitches apart as there are rounds over the crown between them, within this, stand at the sides."""
+_FROM_DOOR: Final = re.compile(
+    r"\bstitches between (?:(?:the|its) )?(?:edge of (?:the )?)?(?:frame|door)(?: of (?:the )?door)? and (?:(?:the|each|both|every) )*windows?\b"
+)
+"""What is left free between a door and the windows on both sides of it."""
 _SPIRAL: Final = 1.0
 """Rounds that spiral lean by no more than one from side to side: limbs that are so far apart are as high as each other."""
 
@@ -56,6 +61,11 @@ class Pairer(Jointer):
             wide = edge / 4 if flat else edge / (2.0 * math.pi)
             if not edge and self._shut(one):  # closed through both layers, a line that lies level
                 wide = 0.5 * len(self.work.spots.stitches(self.work.spots.last(self.work.spots.parts[one[0].copy(1)])))
+            door = self.known.get("door")
+            if _FROM_DOOR.search(put.where.text) and door is not None and door[0] == host.name:
+                apart = 2.0 * (
+                    apart - 1.0 + self.deep.get("door", 0.0) + 0.5
+                )  # from its frame to the one and to the other
             off = 0.5 * apart + (0.0 if upright else wide)
             low_end = min(put.where.rounds[:2]) if put.where.rounds is not None else 0.0
             if put.kind == "ear" and upright and abs(apart - 2.0 * low_end) <= _OVER_TOP and "top" in put.where.words:

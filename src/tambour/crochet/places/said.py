@@ -12,8 +12,8 @@ from tambour.crochet.words.numbers import QUANTITY, quantity
 
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|(?<!one )(?<!\d )(?<!a )(?<!diagonal )(?<!each )(?<!every )(?<!next )stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
-    r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|(?<!bow )(?<!bow-)(?<!neck )tie|mount|push|make|create(?= (?:\w+ ){0,2}(?:nostrils?|mouth|nose|smile|eyes|eyebrows?|cheeks?|whiskers)\b)|draw|applique|go(?:es)?(?= (?:either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st|(?:(?:thread|button)[- ])?joint(?= (?:the|both|each|on)\b)|button(?= (?:the|both|each|on)\b))\b"
+    r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|cent(?:er|re)(?! of\b)|"
+    r"(?:fit|press|lock|click|screw|clip|poke|stick|pull|thread|affix|install|apply)(?= (?:\w+ ){0,4}eyes?\b)|set|hot-?glue|work|(?<!bow )(?<!bow-)(?<!neck )tie|mount|push|make|create(?= (?:\w+ ){0,2}(?:nostrils?|mouth|nose|smile|eyes|eyebrows?|cheeks?|whiskers)\b)|draw|applique|go(?:es)?(?= (?:one on|either|each|both|beside|on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next|underneath|beneath|around|near|opposite|about|directly|centred|centered|slightly|halfway|(?:\d+|two|three|four|five) (?:rounds?|rnds?|rows?|st))\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st|(?:(?:thread|button)[- ])?joint(?= (?:the|both|each|on)\b)|button(?= (?:the|both|each|on)\b))\b"
 )
 """Words that put something somewhere."""
 OF_PLACE: Final = re.compile(

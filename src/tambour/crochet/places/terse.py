@@ -6,7 +6,7 @@ import re
 from functools import lru_cache
 from typing import Final
 
-from tambour.crochet.places import face
+from tambour.crochet.places import face, lines
 from tambour.crochet.places.curt import by_its_edge
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.places.said import VERB, where
@@ -65,9 +65,9 @@ _BY_EYES: Final = re.compile(
 )
 """Where a face's feature is by the eyes."""
 _BARE: Final = re.compile(
-    rf"{_NUMBERED}(?P<bare>(?:(?:the|both|two|all|four|five|six|eight|and|finally|next|little|small|big|tiny)\s+)*"
+    rf"{_NUMBERED}(?P<bare>(?:(?:the|both|one|two|all|four|five|six|eight|and|finally|next|little|small|big|tiny)\s+)*"
     r"(?P<name>(?:[^\W\d_]+\s+){1,3}?))(?=(?:to|on|onto|at|over|either side|each side|both sides|underneath|under|beneath|behind|"
-    r"in front|between|along|in the middle|centred|centered|just|right (?:on|at|under|above|below))\b)"
+    r"in front|in the (?:front|back)|between|along|in the middle|centred|centered|just|right (?:on|at|under|above|below))\b)"
 )
 """A part and its place, without a verb: "Ears to each side of the head at Rd 9, drooping"."""
 _WORKS: Final = re.compile(
@@ -150,6 +150,8 @@ def verb_of(text: str, names: list[str]) -> tuple[int, str] | None:
         _WORKS.search(low[at:]) or not (set(words) & known or kind_of(words[-1]) or face.motifs(low[:at]))
     ):
         return None  # "Ears: Rnd 1: 6 sc in magic ring"
+    if lines.called(low[at:]) and words[-1] not in known and not _WORKS.search(lines.LINES.sub("", low[at:])):
+        return at, " embroider"  # "Forehead: 3 stripes from R5 to R9"
     if words[-1] == "eye" and not {"from", "measure", "count"} & {*led["name"].split()} and _AT.match(low[at:]):
         return at, " place"
     if face.motifs(led["name"]) and not set(words) & known and where(low[at:]).rounds is not None:
@@ -202,6 +204,13 @@ def under(heading: str, text: str, names: list[str]) -> str:
     drawn = face.motifs(heading.lower()) if len(heading.split()) == 1 and _DRAWS.search(text.lower()) else []
     if drawn and not face.motifs(text.lower()) and not _REPEATED.search(text) and VERB.search(text.lower()):
         return led
+    if (
+        len(heading.split()) == 1
+        and lines.called(text.lower())
+        and not VERB.search(text.lower())
+        and not _REPEATED.search(text)
+    ):
+        return f"{heading}: embroider {text}"  # "Forehead", and "3 stripes from R5 to R9" below it
     place = heading and not _REPEATED.search(text) and _AT.match(text.lower()) and verb_of(text, names) is None
     place = place and not _ROUND_OF.search(text.lower())
     return led if place and verb_of(led, names) is not None else ""

@@ -6,7 +6,7 @@ import re
 from functools import lru_cache
 from typing import Final
 
-from tambour.crochet.places import face
+from tambour.crochet.places import face, lines
 from tambour.crochet.places.curt import fuller
 from tambour.crochet.places.habits import ROUND, SCATTERED
 from tambour.crochet.places.hosts import LIMBS
@@ -37,13 +37,18 @@ _IT: Final = re.compile(r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?
 _OVER_IT: Final = re.compile(r"\b(on|onto|over|across|along|down)\s+it\b")
 """What a part is drawn on that its paragraph is about: "sew three long stitches lengthwise over it"."""
 _JOINS: Final = re.compile(
-    r"\b(?:openings?|edges?|match|sew|whip ?stitch|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
+    r"\b(?:openings?|edges?|match|sew|whip ?stitch|\d+\s+(?:sts|stitches)\s+(?:on|to|with)\s+\d+|stitch(?:es)? (?:to|by)|join|seam|attach|pin)\b"
 )
 _OPENED: Final = re.compile(
     rf"(?:^|[.!?:]\s+)(?:now|next|then|finally|first(?: of all)?|last(?:ly)?|(?:let's |we )?(?:start|begin|continue|go on|finish) with)\s*,?\s+(?:for\s+)?{_NAME}\s*(?=[.,:!])|(?:^|[.!?:]\s+){_NAME}\s+(?:come(?:s)?\s+)?(?:first|next|last|now|then)\s*[.,!]",
     re.IGNORECASE | re.MULTILINE,
 )
 """A sentence that says no more than what comes now: "First the belly."."""
+_TAKEN_UP: Final = re.compile(
+    rf"(?:^|[.!?]\s+)(?:(?:now|next|then|finally|first|last)\s*,?\s+)?(?:pin|sew|attach|put|place|stitch)\s+{_NAME}\s+(?:on|down|in place)(?:\s+(?:first|next|now|last|then))?\s*[.!]",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""A sentence that says of a part no more than that it is sewn on now: "Pin the tummy on first."."""
 _OWN: Final = (
     r"(?:(?:open|closed|flat|wide|wider|narrow|straight|long|short|upper|lower|top|bottom|back|front|cast-on|last|final|sewn|raw|own|inner|outer|flattened)\s+)*"
     r"(?:edges?|ends?|sides?|rims?|tops?|openings?|bases?|seams?|bottoms?)"
@@ -61,9 +66,14 @@ _LAID: Final = re.compile(
 """What is done with "it", or with its shape's name: "lay the oval along the underside"."""
 _BARE: Final = re.compile(
     r"^\W*(?P<verb>goes|go|sits|sit|lies|lie|stands|stand|hangs|hang|belongs|belong|covers|cover|is|are|comes|come)\s+"
-    rf"(?=(?:low|high|up|flat|over|on|at|to|in|between|under|below|above|along|around|behind|beside|just|right|halfway|down|{ROUND})\b)"
+    rf"(?=(?:low|high|up|flat|lengthwise|crosswise|over|on|at|to|in|between|under|below|above|along|around|behind|beside|just|right|halfway|down|{ROUND})\b)"
 )
 """A sentence without the part that it is about: "goes low on the front of the head"."""
+_MEETS: Final = re.compile(
+    r"\bmatch(?:ing)?\s+(?:up\s+)?(?:the|its|their)\s+(?:\d+\s+)?(?:sts|stitches|opening|edge|rim)\b[^.;]{0,24}?\s+(?:to|with|against)\s+(?:the\s+)(?:\d+\s+)?(?:sts|stitches|opening|edge|rim)\s+"
+    r"(?:at|of|on|in|around)\s+(?:the\s+)(?P<on>(?:(?:back |hind |rear |tail |open )?end of (?:the |his |her |its )?)?[a-z]+)"
+)
+"""Stitches that meet those of another part: "match the 12 sts of Rnd 10 to the 12 sts at the end of the body"."""
 _SPANS: Final = re.compile(
     rf"^\W*(?=(?:(?:the|its|their)\s+)?(?:top|bottom|upper|lower|front|back)(?:\s+(?:edge|end|side|corner)s?)?\s+(?:touch|meet|reach|com|start|end|begin|sit|lie)[a-z]*\s[^.;]*\b{ROUND}\s?\.?\s*\d)"
 )
@@ -72,7 +82,7 @@ _ROUND_IT: Final = re.compile(
     r"^\W*(?:(?:now|then|and)\s+)?(?:sew|whip ?stitch|stitch)\s+(?:all\s+)?(?:the\s+way\s+)?(?:around|round)\b(?!.*\b(?:to|onto|on)\b)[^;]*$"
 )
 """How it is sewn where it was put: "Now sew around each leg twice"."""
-_HANGS: Final = r"\s+(?:should\s+|must\s+|will\s+)?(?:go(?:es)?|hangs?|sits?|stands?|starts?|begins?|grows?|lies?|rests?|belongs?|comes?)\s+(?:out\s+)?(?=(?:from|on|at|in|over|along|between|below|above|under|beside|directly|just|right)\b)"
+_HANGS: Final = r"\s+(?:should\s+|must\s+|will\s+)?(?:go(?:es)?|hangs?|sits?|stands?|starts?|begins?|grows?|lies?|rests?|belongs?|comes?)\s+(?:(?:out|lengthwise|crosswise|straight|flat)\s+)?(?=(?:from|on|at|in|over|along|between|below|above|under|beside|directly|just|right)\b)"
 _REACHES: Final = re.compile(
     r",?\s*\b(?:and\s+|so\s+(?:that\s+)?)?(?:the|its|his|her|their)\s+(?:[a-z]+\s+)?(?:paws?|feet|foot|toes|legs?|hooves|tips?)\s+(?:stand|rest|sit|lie|reach|touch)(?:s|es)?\s+(?:flat\s+)?(?:on\s+)?the\s+(?:table|ground|floor)\b[^.;]*"
 )
@@ -122,26 +132,35 @@ def _starts(text: str, begin: int) -> int:
     return line
 
 
+_SURFACE: Final = re.compile(r"\bsurface[- ](?:sl(?:ip)?[- ]?st(?:itch)?(?:es)?|crochet|chain)\b", re.IGNORECASE)
+"""What is crocheted onto the fabric as one embroiders it."""
+_ON_FACE: Final = re.compile(
+    r"\b(?:smile|mouth|nose|eyes?|(?:eye)?brows?|(?:eye)?lash(?:es)?|cheeks?|whiskers)\b", re.IGNORECASE
+)
 _FIRST_SEWN: Final = re.compile(r"^\W*(?:sew|attach|stitch|pin)\b[^:.]{0,40}:\s+", re.IGNORECASE)
 """What stands before the first part that is sewn: "Sew onto the red first: chimney halfway up the slope"."""
 
 
-def told_whole(text: str, begin: int, words: str, names: list[str]) -> str:
+def told_whole(text: str, begin: int, words: str, names: list[str], within: str = "") -> str:
     """A sentence of the assembly, at ``begin`` of a text, with the verb or the part that it leaves out; as it is where it leaves out none.
 
-    names : of the parts that are known
+    names : of the parts that are known; within : the one that the sentence stands in
     """
     lead = _FIRST_SEWN.match(words)
     if lead is not None and not mentions(lead[0].lower(), [Made(n, 1) for n in names]):
         rest = words[lead.end() :]
         if (full := fuller(rest, names)) != rest:
             return full
+    drawn = _SURFACE.sub("embroider", words)
+    if drawn != words and _ON_FACE.search(drawn):
+        return drawn
     full = fuller(words, names)
-    return full if full != words else about(text, begin, words, tuple(names))
+    return full if full != words else about(text, begin, words, tuple(names), within)
 
 
-def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
-    """A sentence, at ``begin`` of a text, with the part that its paragraph is about where it leaves it out; as it is otherwise."""
+def about(text: str, begin: int, words: str, names: tuple[str, ...], within: str = "") -> str:
+    """A sentence, at ``begin`` of a text, with the part that its paragraph is about where it leaves it out, or the one ``within`` whose rounds it
+    stands right behind; as it is otherwise."""
     line = _starts(text, begin)
     block = text.rfind("\n\n", 0, begin) + 2 if "\n\n" in text[:begin] else 0
     two = _JOINING.match(text, block)
@@ -174,6 +193,8 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
     ):
         return f"{words[: made.start()]}embroider a {label[1].lower()}{words[made.end() :]}"
     name = topic(text, begin, names)
+    if not name and within in names and _EDGE.search(words.lower()) and lines.behind_rounds(text, begin):
+        name = within  # "Stuff, and sew the open end to the side of the roof"
     if not name:
         return words
     led = text[begin : label.end()] if label is not None and label.end() > begin else ""
@@ -212,6 +233,8 @@ def topic(text: str, begin: int, names: tuple[str, ...]) -> str:
         said = label[1]
     for m in _OPENED.finditer(text, line, begin):
         said = (m[1] or m[2]) if _part(m[1] or m[2], names) else said
+    for m in _TAKEN_UP.finditer(text, line, begin):
+        said = m[1] if _part(m[1], names) else said
     return _part(said, names) if said else ""
 
 
@@ -244,6 +267,8 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
         made = f"{made[: edge.start()]}sew the {called}{made[edge.end() :]}"
     elif (laid := _LAID.search(made)) is not None:
         made = f"{made[: laid.start()]}sew the {called}{laid['flat'] or ''}{made[laid.end() :]}"
+    elif (meets := _MEETS.search(made)) is not None:
+        made = f"sew the {called} to the {meets['on']}{made[meets.end() :]}"
     elif (spans := _SPANS.match(made)) is not None:
         made = f"sew the {called} with {made[spans.end() :]}"
     elif _ROUND_IT.match(made):

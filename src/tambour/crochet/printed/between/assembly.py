@@ -160,7 +160,7 @@ def assembled(
         words = glossed.text
         hues = tuple((glossed.at(place), hue) for place, hue in shades(one.tokens, palette, span.start))
         part = one.part if not one.headed or alike(one.headed, [one.part]) else ""
-        full = words if exact is not None else told_whole(built.pattern.text.text, span.start, words, names)
+        full = words if exact is not None else told_whole(built.pattern.text.text, span.start, words, names, part)
         hues, words = tuple((max(0, place + len(full) - len(words)), hue) for place, hue in hues), full
         held = _POSE.match(built.pattern.text.text, span.end)
         if held is not None and exact is None:

@@ -50,6 +50,11 @@ _YOUNG: Final = re.compile(
 )
 
 
+_HOLDS: Final = re.compile(
+    r"\W*(?:(?:then|now|also|and)\s+)?(?:fix|catch|tack|secure|hold)\b[^.;]*\b(?:with|by)\s+(?:a\s+few|some|a\s+couple\s+of|one|two|three|[1-5])\s+(?:(?:small|tiny|little)\s+)?stitch",
+    re.IGNORECASE,
+)
+"""Stitches that only hold a part where it is: "Fix the inner side of each leg with a few stitches at R14"."""
 _BEFORE_YOU: Final = re.compile(
     r"\W*before (?:you )?(?:fix|fixing|close|closing|push|press|lock|snap)\w* (?:the |their |its )?(?:washers?|backs?)\b[^.;]*\blook\b",
     re.IGNORECASE,
@@ -59,7 +64,7 @@ _BEFORE_YOU: Final = re.compile(
 
 def beside_the_point(text: str) -> bool:
     """Whether a sentence that names parts or eyes puts none anywhere: what lies inside, what its writer did herself, what is safe for whom."""
-    if _YOUNG.match(text) or _BEFORE_YOU.match(text):
+    if _YOUNG.match(text) or _BEFORE_YOU.match(text) or _HOLDS.match(text):
         return True
     if _TELLS.match(text):
         return not re.search(r"\b(?:rounds?|rnds?|rows?|R\d+)\b", text, re.IGNORECASE)
@@ -114,7 +119,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
         )
         if not named or stitches:
             return False
-    heard = told_whole(p.source.text.text, tokens[0].start, heard, names)
+    heard = told_whole(p.source.text.text, tokens[0].start, heard, names, p.parts[-1].name)
     part, headed = p.parts[-1].name, p.heading.name if p.heading is not None else ""
     led = under(english(headed.lower(), p.language.code).text, heard, names)
     if not (
