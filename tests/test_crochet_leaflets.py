@@ -235,3 +235,85 @@ def test_turning_after_every_row_is_said_behind_the_first() -> None:
         "MOLE\n\nTUMMY (white, worked in rows)\nCh 9.\nRow 1: Sc in the second ch from the hook and in every ch across. (8 sts) Ch 1 and turn after this and every row.\nRow 2: In BLO, inc, sc in next 6 sts, inc. (10 sts)\n"
     )
     assert not unread(found)
+
+
+def test_parts_side_by_side_on_a_page_are_read_one_after_the_other() -> None:
+    left = [
+        "HEAD (skin), from the top",
+        " 1.  6 sc in magic ring - 6",
+        " 2.  Inc around - 12",
+        " 3.  (Sc 1, inc) around - 18",
+        " 4-6.  Sc around - 18",
+        "Stuff hard. Leave open.",
+    ]
+    right = [
+        "ARMS, make 2. Start in skin",
+        " 1.  6 sc in magic ring - 6",
+        " 2-5.  Sc around - 6",
+        "Do not stuff. Sew a small white",
+        "pompom (1 in) to the tip.",
+        "",
+    ]
+    page = "\n".join(f"{a:<44}{b}".rstrip() for a, b in zip(left, right, strict=True))
+    found = pattern(f"MOLE\n\nTORSO\n{BALL}\n{page}\n")
+    assert [(p.name, p.copies) for p in found.parts] == [("TORSO", 1), ("HEAD", 1), ("ARMS", 2)]
+    assert counts(found)[1] == [6, 12, 18, 18, 18, 18] and counts(found)[2] == [6] * 5
+
+
+def test_a_table_of_abbreviations_is_no_page_in_columns() -> None:
+    found = pattern(
+        f"MOLE\n\nABBREVIATIONS\nsc      single crochet\ninc     increase\ndec     decrease\nch      chain\nMR      magic ring\n\nTORSO\n{BALL}"
+    )
+    assert names(found) == ["TORSO"] and counts(found)[0] == [6, 12, 18, 18, 18, 18]
+
+
+def test_two_legs_become_a_body_where_the_hook_goes_on_from_the_second() -> None:
+    found = pattern(
+        "MOLE\n\nLEGS AND BODY, in one piece from the boots up\nBoot (brown). Make two, working each as far as step 4.\n  1.  6 sc in magic ring - 6\n  2.  Inc around - 12\n"
+        "  3-4.  Sc around - 12\nCut yarn on the first leg only. On the second leg, change to green and sc 3 more\nto get to the inside of the leg, toes pointing at you. Ch 3.\n"
+        "  5. Join to the first leg in its 10th stitch (the inside; toes the same way!). Sc 12 around it, sc 3 on the chain,\n      sc 12 around the second leg, sc 3 on the other side of the chain - 30\n"
+        "The rounds now begin at the center back.\n  6. (Sc 4, inc) around - 36\n  7-8. Sc around - 36\n"
+    )
+    assert not unread(found)
+    assert not any(line.gap for p in found.parts for line in p.lines)
+    assert len(found.parts) == 1
+    assert [r.count for r in build(found).rounds][-4:] == [30, 36, 36, 36]
+
+
+def test_yarns_of_several_rounds_stand_before_what_is_worked() -> None:
+    found = pattern(
+        "MOLE\n\nLEG (make 2)\n 1.  6 sc in magic ring - 6\n 2-7.  Go on the same way, 2 white, 2 red, 2 white: sc around - 6\n"
+    )
+    assert not unread(found) and counts(found)[0] == [6] * 7
+    built = build(found)
+    hues = [tuple(built.graph.color[r.last].tolist()) for r in built.rounds[1:7]]
+    assert hues[0] == hues[1] != hues[2] == hues[3] != hues[4] == hues[5] == hues[0]
+
+
+def test_stripes_told_behind_the_rows_dye_them() -> None:
+    found = pattern(
+        f"MOLE\n{YARNS}\nTORSO\n{BALL}\nSCARF (red and white), in rows\nWith R ch 5.\nRow 1: from 2nd ch: 4 sc. Ch 1, turn. (4)\nRows 2-8: 4 sc (4)\n"
+        "Stripes: 2 rows R, 2 rows W, all the way.\n"
+    )
+    assert not unread(found)
+    built = build(found)
+    rows = [r for r in built.rounds if r.part == 1][-8:]
+    hues = [tuple(built.graph.color[r.last].tolist()) for r in rows]
+    assert [k for k in range(1, 8) if hues[k] != hues[k - 1]] == [2, 4, 6]
+
+
+@pytest.mark.parametrize("marks", [("(i)", "(ii)", "(iii)"), ("a)", "b)", "c)"), ("i.", "ii.", "iii.")])
+def test_steps_in_roman_numbers_or_letters(marks: tuple[str, str, str]) -> None:
+    found = pattern(
+        f"MOLE\n\nTORSO\n{BALL}\nNOSE\nR1: 6 sc in MR (6)\n\nARMS (make 2)\nR1: 6 sc in MR (6)\n\nPUTTING TOGETHER\n {marks[0]} Sew the nose to the torso at round 3.\n"
+        f" {marks[1]} Arms at the sides of the torso on round 5.\n {marks[2]} Mouth: a red V of two stitches, two rounds below the nose.\n"
+    )
+    assert not unread(found)
+
+
+def test_a_cell_of_a_table_over_two_lines_in_which_the_first_column_is_empty() -> None:
+    found = pattern(
+        f"MOLE\n\nTORSO\n{BALL}\nPATCHES (make 2)\nCh 4.\n Rnd    | Work                                   | Sts\n--------+----------------------------------------+----\n"
+        " 1      | from 2nd ch: 2 sc, 3 sc in last ch, back along the     |\n        | other side: 1 sc, inc                  | 8\n 2      | inc, 1 sc, inc x3, 1 sc, inc x2        | 14\n"
+    )
+    assert not unread(found) and counts(found)[1][-2:] == [8, 14]

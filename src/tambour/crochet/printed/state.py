@@ -20,6 +20,7 @@ from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.rounds.doubts import in_one, numbered_each
 from tambour.crochet.printed.rounds.moved import Moved
+from tambour.crochet.printed.sheet.abreast import abreast
 from tambour.crochet.printed.sheet.banners import banners, begun
 from tambour.crochet.printed.sheet.bilingual import first
 from tambour.crochet.printed.sheet.changes import changes
@@ -157,7 +158,16 @@ class State:
         self.source, self._high = source, high
         self.rows = once(
             signs(
-                first(numbered(unlisted(columned(source.text.text, leaves(source.text.text, rows(source.text.text))))))
+                first(
+                    numbered(
+                        unlisted(
+                            columned(
+                                source.text.text,
+                                leaves(source.text.text, abreast(source.text.text, rows(source.text.text))),
+                            )
+                        )
+                    )
+                )
             )
         )
         self.rows = torn(source.text.text, pointed(source.text.text, self.rows))

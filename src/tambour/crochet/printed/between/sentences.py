@@ -78,6 +78,11 @@ _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "m
 _GOES_ON: Final = ("repeat", "even", "until", "as", "same")
 
 
+_STRIPES: Final = re.compile(r"\b(?:stripes?|striping|colou?r sequence)[ \t]*[:–-][ \t]*\Z", re.IGNORECASE)
+"""What stands before the stripes of rows that are told already."""
+_NEAR: Final = 24  # characters of it
+
+
 def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
     """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""
     any_read = False
@@ -157,6 +162,9 @@ def _chained(p: State, tokens: list[Token]) -> bool:
 
 def sentence_read(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
+    count = next((k for k, t in enumerate(tokens[:5]) if t.word == ")"), 0) if tokens[0].word == "(" else 0
+    if p.edged and count and count + 1 < len(tokens) and any(t.kind == "number" for t in tokens[:count]):
+        tokens = tokens[count + 1 :]  # "(54 sts) Sl st to join": the count of the edge before
     if cut := dyed_first(p, tokens):
         dyed = sentence_read(p, tokens[:cut])
         rest = tokens[cut + 1 :]
@@ -191,6 +199,12 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         plans = [d.plan[0] for d in p.parts if d.plan is not None]
         said = p.source.text.text[begin:end]
         found = planned(said, p.palette, draft.lines) or onward(said, p.palette, plans)
+    if draft is not None and found is not None and _STRIPES.search(p.source.text.text, max(0, begin - _NEAR), begin):
+        plan, (first, last) = found  # "Stripes: 4 rows red, 4 rows white", behind the rows
+        if not any(t.kind in ("stitch", "number") for t in without(tokens, Span(begin + first, begin + last))):
+            p.heading = None if p.heading is not None and p.heading.name.lower().startswith("stripe") else p.heading
+            lay(draft, set(), plan, Span(begin + first, begin + last), False)
+            return True
     if draft is None or found is None or p.heading is not None or p.mode in ("materials", "abbreviations", "assembly"):
         known = {id(line) for line in draft.lines} if draft is not None and draft.plan is not None else set()
         read = plainly(p, tokens)

@@ -12,6 +12,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.between.unread import NOT_UNDERSTOOD
+from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.parts.united import round_over, united, usual
 from tambour.crochet.printed.rounds.reader import Body
@@ -40,10 +41,12 @@ def bridging(p: State, tokens: list[Token]) -> bool:
         return False
     links = any(t.value == "join" or t.word in _LINKS for t in tokens)
     founds = any(t.value in ("ring", "hook", "begin") and t.kind == "key" for t in tokens)
-    if not links or founds:
-        return False  # "Beginning at top of leg with F, ch 2"
     draft = p.parts[-1] if p.parts else None
-    if draft is None or _pair(p, draft, tokens) is None:
+    behind = p.source.text.text[tokens[-1].end : tokens[-1].end + _NEAR]
+    alone = draft is not None and bool(draft.twin) and p.heading is None and _JOINED.search(behind) is not None
+    if not (links or alone) or founds:
+        return False  # "Beginning at top of leg with F, ch 2"
+    if draft is None or not (alone or _pair(p, draft, tokens) is not None):
         return False
     p.bridge = many[0], Span(tokens[0].start, tokens[-1].end), tokens
     return True
@@ -81,8 +84,15 @@ def worked_on(p: State, tokens: list[Token]) -> bool:
     """Takes "Work 7 more sc", "Work 1 more sc, then fasten off" behind a spiral's rounds for stitches past the end of its last one: as many as
     bring the hook to where it goes on; whether a sentence says so."""
     draft = p.parts[-1] if p.parts else None
-    if draft is None or p.heading is not None or len(tokens) < 3 or not _more(tokens[:3], draft):
+    if draft is None or p.heading is not None:
         return False
+    kind, hue, tokens = _on_second(p, tokens)
+    if len(tokens) < 3 or not _more(tokens[:3], draft):
+        return False
+    if kind and not any(_is(d, kind) and d.begun() and not d.merged for d in p.parts if d is not draft):
+        draft.twin = kind
+        draft.other_end = (_worked_on(tokens[:3]),)
+    draft.lines += hue
     rest = [t for t in tokens[3:] if t.word not in (",", ".") and t.value != "and"]
     ends = len(rest) == 1 and rest[0].value == "fasten off"
     if rest and not ends:
@@ -92,6 +102,28 @@ def worked_on(p: State, tokens: list[Token]) -> bool:
     if ends:
         draft.off, draft.ends = rest[0].span, "open"
     return True
+
+
+def _on_second(p: State, tokens: list[Token]) -> tuple[str, list[Line], list[Token]]:
+    """Which piece "On the second leg, change to green and sc 3 more to get to the inside" speaks of, the yarn it changes to, and what is worked: "3 more
+    sc"; the words as they are of another sentence."""
+    if len(tokens) < 6 or tokens[0].word != "on" or tokens[1].value not in (2, "other") or tokens[3].word != ",":
+        return "", [], tokens
+    kind, rest = _kind(tokens[2].word), tokens[4:]
+    hue: list[Line] = []
+    if rest[0].value == "color":
+        found = p.palette.color(Cursor(rest, 1)) or p.palette.letter(Cursor(rest, 1), 1)
+        if found is None:
+            return "", [], tokens
+        span = Span(rest[0].start, rest[found[1]].end)
+        hue, rest = [Line((Action("color", span, numbers=found[0]),), span, False)], rest[1 + found[1] :]
+    while rest and (rest[0].word in (",", "then", "work") or rest[0].value == "and"):
+        rest = rest[1:]
+    end = next((k for k, t in enumerate(rest) if t.value == "to" or t.word in ("to", "until")), len(rest))
+    rest = rest[:end]
+    if len(rest) == 3 and rest[0].kind == "stitch" and rest[1].kind == "number":
+        rest = [rest[1], rest[2], rest[0]]  # "sc 3 more"
+    return (kind, hue, rest) if kind in _KINDS and len(rest) == 3 else ("", [], tokens)
 
 
 def _more(tokens: list[Token], draft: Draft) -> bool:

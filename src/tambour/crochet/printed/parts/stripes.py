@@ -19,7 +19,7 @@ from tambour.crochet.printed.yarns.colors import Palette
 _MOST: Final = 500  # rounds that are parted by their colours
 _UNIT: Final = r"(?:rnds?|rounds?|rows?|rds?)\b\.?"
 _N: Final = r"(\d{1,2}|one|two|three|four|five|six)"
-_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-K]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more|alternat\w*|strip\w*|order|sequence)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b)[a-z]{3,12})?)"
+_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-Z]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more|alternat\w*|strip\w*|order|sequence)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b)[a-z]{3,12})?)"
 _HOLD: Final = r"(?:(?:in|with|of|using|each)\s+)?"
 _ITEM: Final = rf"(?:{_N}\s+{_UNIT}\s*{_HOLD}{_YARN}|{_YARN}\s*[:=–-]?\s+(?:for\s+)?{_N}\s+{_UNIT}|[Ww]ith\s+{_YARN},?\s+(?:work\s+)?{_N}\s+{_UNIT})"
 _AND: Final = r"\s*(?:[,;.&]|\band\b|\bthen\b)[\s,;]*(?:and\s+|then\s+|\*\s*)?"
@@ -109,6 +109,28 @@ def _ordered(words: str, palette: Palette, many: int) -> tuple[Plan, tuple[int, 
     return None
 
 
+_FIRST: Final = re.compile(
+    r"(?:(?:go|going|carry|continue|continuing|work|keep)\w*(?: on| going)?(?: in)?(?: the)? same way\s*[,:–-]\s*)?((?:\d{1,2}\s+[a-z]+(?:\s[a-z]+)?\s*,\s*)+(?:and\s+)?\d{1,2}\s+[a-z]+(?:\s[a-z]+)?)\s*:",
+    re.IGNORECASE,
+)
+"""The yarns of several rounds before what is worked: "11-20. Go on the same way, 2 white, 2 red, …: sc around"."""
+
+
+def _led(words: str, palette: Palette, many: int) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan of a round of several that begins with how many of them are of which yarn."""
+    found = _FIRST.search(words)
+    runs: list[tuple[RGB, int]] = []
+    for said in re.split(r"\s*(?:,|\band\b)\s*", found[1]) if found is not None else []:
+        part = _PART.fullmatch(said)
+        hue = _hue(part["hue"], palette) if part is not None and part["n"] else None
+        if part is None or hue is None:
+            return None
+        runs.append((hue, _number(part["n"])))
+    if found is None or len(runs) < 2 or sum(n for _, n in runs) != many:
+        return None
+    return Plan(tuple(runs)), found.span()
+
+
 def _by_number(words: str, palette: Palette, first: int, many: int) -> tuple[Plan, tuple[int, int]] | None:
     """The plan of rounds whose words name a yarn for each by its number, "(Rnds 3 and 4 in B, Rnds 5 and 6 in C)", or for odd and even ones."""
     hues: dict[int, RGB | None] = {}
@@ -178,7 +200,7 @@ def planned(
 
     worked : the rounds of the part so far, whose yarns "changing colour every row" goes on with
     """
-    if many > 1 and (ordered := _ordered(words, palette, many)) is not None:
+    if many > 1 and (ordered := _ordered(words, palette, many) or _led(words, palette, many)) is not None:
         return ordered
     if not _HINT.search(words):
         return None

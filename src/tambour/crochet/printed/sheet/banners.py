@@ -44,6 +44,7 @@ def begun(text: str, rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
 _BEGINS: Final = frozenset(
     "start starts starting started begin begins beginning begun worked working made crocheted from".split()
 )
+_MANNERS: Final = frozenset(("rows", "rounds", "one"))  # "in one piece"
 _HOW: Final = 14  # words that say where a part begins
 _IN_ROWS: Final = re.compile(
     r"[,;] (?:worked |crocheted |made )?in (?:rows|rounds|the round|a spiral|one piece)(?= [,;)])"
@@ -52,7 +53,7 @@ _IN_ROWS: Final = re.compile(
 
 def _begun(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
     tokens = row.tokens
-    if not any(t.kind == "word" and (t.word in _BEGINS or t.word in ("rows", "rounds")) for t in tokens[1:]):
+    if not any(t.kind == "word" and (t.word in _BEGINS or t.word in _MANNERS) for t in tokens[1:]):
         return [row]
     led = 2 if tokens[0].kind == "number" and len(tokens) > 2 and tokens[1].word in (".", ")", ":", "-") else 0
     at = next((k for k in range(led + 1, len(tokens) - 1) if tokens[k].word in ("-", "--", ",", "–", "—")), 0)
@@ -71,7 +72,7 @@ def _begun(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
         and closed
         and named
         and 1 < len(how) <= _HOW
-        and how[0].word in _BEGINS
+        and (how[0].word in _BEGINS or (how[0].word == "in" and how[1].word in _MANNERS))
         and _title(text, name, vocabulary)
         and not any(t.kind in ("stitch", "number") for t in vocabulary.read(how))
     ):

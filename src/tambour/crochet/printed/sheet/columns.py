@@ -48,6 +48,8 @@ class _Table:
     entry: dict[str, list[Token]] | None = None
     """The row that is being collected."""
     at: int = 0
+    led: bool = False
+    """Whether a rule stands before the first column too."""
     notes: list[list[Token]] = field(default_factory=list)
 
 
@@ -152,12 +154,18 @@ def _titles(text: str, row: Row) -> _Table | None:
         if any(c[0].word in ("row", "rows") for c, kind in zip(cells, kinds, strict=True) if kind == "round")
         else "rnd"
     )
-    return _Table(kinds, [c[0].start - row.start for c in cells], ruled, called)
+    line = text.rfind("\n", 0, row.tokens[0].start) + 1
+    led = row.tokens[0].word in _RULE or text[line : row.tokens[0].start].strip() in _RULE
+    return _Table(kinds, [c[0].start - row.start for c in cells], ruled, called, led=led)
 
 
 def _by_column(text: str, row: Row, table: _Table) -> dict[str, list[Token]]:
     """What a line has of each column; those of blanks by where they begin."""
     cells, ruled = _cells(text, row)
+    line = text.rfind("\n", 0, row.tokens[0].start) + 1
+    led = row.tokens[0].word in _RULE or text[line : row.tokens[0].start].strip() in _RULE
+    if ruled and table.ruled and not table.led and led:
+        cells = [[], *cells]  # the first column is empty here
     found: dict[str, list[Token]] = {}
     for k, cell in enumerate(cells):
         if not cell:

@@ -82,7 +82,7 @@ def plain_name(words: str) -> str:
 _RANKS: Final = re.compile(r"(\d+)(?:st|nd|rd|th)\s*(?:to|through|-|–)\s*(\d+)(?:st|nd|rd|th)\b", re.IGNORECASE)
 
 
-_HUED: Final = frozenset("color colour colors colours yarn".split())
+_HUED: Final = frozenset("color colour colors colours yarn cotton wool acrylic".split())
 
 
 def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
@@ -342,7 +342,7 @@ def _counts(c: Cursor, ahead: int) -> bool:
     return c.whole(ahead) is not None and not named
 
 
-_NAMED_BY_NUMBER: Final = frozenset("color colour yarn shade size page diagram chart figure no #".split())
+_NAMED_BY_NUMBER: Final = frozenset("color colour yarn shade size page diagram chart figure no # step".split())
 
 
 def stated(text: str, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:

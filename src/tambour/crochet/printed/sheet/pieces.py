@@ -33,6 +33,18 @@ def pieced(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
 def _joined(row: Row) -> list[Row]:
     """``Grass: join green in a front loop of Round 9. *Sl st, ch 3, …`` as its name and where it hangs, and its first round."""
     tokens = row.tokens
+    inner = next(
+        (
+            k
+            for k, t in enumerate(tokens[1:-1], 1)
+            if t.capital and tokens[k - 1].word in (".", "!") and tokens[k + 1].word == ":" and hanging(t.word)
+        ),
+        0,
+    )
+    if inner:  # "The top stays open. Grass: join green …"
+        first = Row(tokens[:inner], row.start, tokens[inner - 1].end, row.marked)
+        rest = _joined(Row(tokens[inner:], tokens[inner].start, row.end))
+        return [first, *rest] if len(rest) > 1 else [row]
     colon = next((k for k, t in enumerate(tokens[:_WORDS]) if t.word == ":"), 0)
     stop = next((k for k in range(colon, len(tokens) - 1) if tokens[k].word == "."), 0)
     lead = [t.word for t in tokens[colon:stop]]

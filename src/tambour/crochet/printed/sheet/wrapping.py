@@ -201,9 +201,16 @@ def _breaks(text: str, above: Row, row: Row) -> bool:
     return last.word in _STITCHES and first.word in _BEHIND and small
 
 
+_ROMAN: Final = re.compile(
+    r"(?:[(\[](?:x{0,2}(?:ix|iv|v?i{1,3}|v)|x{1,2}|[a-h])[)\]]|(?:x{0,2}(?:ix|iv|v?i{1,3}|v)|x{1,2}|[a-h])[.)])[ \t]+(?=[A-Z])"
+)
+"""The same in Roman numbers or letters: "(iv) Mouth: …", "b) Ears: …"."""
+
+
 def step(text: str, row: Row) -> int:
-    """Where the number of a step ends that a line begins with: "Step 2:", "(3)"; 0 where none does."""
-    found = _numbered(text, row)
+    """Where the number of a step ends that a line begins with: "Step 2:", "(3)", "(iv)", "b)"; 0 where none does."""
+    line = text[row.start : row.end]
+    found = _numbered(text, row) or _ROMAN.match(text, row.start + len(line) - len(line.lstrip()))
     return found.end() if found is not None else 0
 
 
@@ -253,7 +260,12 @@ def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list
         return True
     if said.count("|") > 1 and text[above.start : above.end].count("|") > 1:
         return True
-    if _POINT.match(said) or begins(row.tokens, not ended) or _TITLE.match(text[above.start : above.end].strip()):
+    if (
+        _POINT.match(said)
+        or _ROMAN.match(said)
+        or begins(row.tokens, not ended)
+        or _TITLE.match(text[above.start : above.end].strip())
+    ):
         return True
     if said[:1].isupper() and _COUNTED.search(text, above.start, above.end):
         return True

@@ -62,6 +62,8 @@ _IDIOMS: Final = tuple(
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
         # pages of today
+        (r"turn with (?:a )?(?:ch|chain) (1|2|3|one|two|three)(?= [.;,]| ?$)", "ch {1} , turn"),
+        (rf"({_KIND}) in (?:the )?(2nd|second|3rd|third) (?:ch|chain)(?: from (?:the )?hook)? and (?:across|to (?:the )?end)", "{1} in {2} ch from hook and in each ch across"),
         (r"(?:hold|turn|keep|flip)(?:ing)? (?:the |your )?[a-z]+(?: head)? (?:upside down|head down)(?: ,)?(?: and)?(?: then)?(?= (?:join|attach|insert))", ""),
         (r"(?:finish (?:off )?(?:with|by) )?(?:a |one |1 )?(sl st|slst|ss) , (?:then )?cut(?: (?:the |your )?yarn)?(?: ,| and)? (?:leave |leaving )?(?:a )?long (?:tail|end|thread)", "{1} , fasten off , leave a long tail"),
         (r"(?:finish (?:off )?(?:with|by) )?(?:a |one |1 )?(sl st|slst|ss) , (?:then )?cut(?: (?:the |your )?yarn)?(?: , (?:done|finished|that's it))?(?= [.!,]| and|$)", "{1} , fasten off"),
