@@ -154,8 +154,8 @@ def _titles(text: str, row: Row) -> _Table | None:
         if any(c[0].word in ("row", "rows") for c, kind in zip(cells, kinds, strict=True) if kind == "round")
         else "rnd"
     )
-    line = text.rfind("\n", 0, row.tokens[0].start) + 1
-    led = row.tokens[0].word in _RULE or text[line : row.tokens[0].start].strip() in _RULE
+    at = text.rfind("\n", 0, row.tokens[0].start) + 1
+    led = row.tokens[0].word in _RULE or text[at : row.tokens[0].start].strip() in _RULE
     return _Table(kinds, [c[0].start - row.start for c in cells], ruled, called, led=led)
 
 
