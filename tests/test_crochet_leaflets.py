@@ -7,6 +7,7 @@ import pytest
 from tests.crochet_read import pattern
 
 from tambour.crochet.graph.build import build
+from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.choose import account
 
@@ -317,3 +318,23 @@ def test_a_cell_of_a_table_over_two_lines_in_which_the_first_column_is_empty() -
         " 1      | from 2nd ch: 2 sc, 3 sc in last ch, back along the     |\n        | other side: 1 sc, inc                  | 8\n 2      | inc, 1 sc, inc x3, 1 sc, inc x2        | 14\n"
     )
     assert not unread(found) and counts(found)[1][-2:] == [8, 14]
+
+
+def test_yarn_for_the_face_is_not_that_of_the_toy() -> None:
+    found = pattern(
+        f"MOLE\n\nMATERIALS\nSmall amount of black worsted weight yarn for embroidery.\nChunky chenille yarn, 300 g\nSize 8 mm hook\n\nINSTRUCTIONS\n\nTORSO\n{BALL}"
+    )
+    assert "chenille" in found.stated["yarn"][0]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Soft & Smooth (70 g/2.5 oz; 109 m/120 yds)",
+        "GOOD HEART Super: 1 skein each of 319 Cherry A, 706 Pink B",
+        "Moonbeam: 3 balls 3001",
+    ],
+)
+def test_a_ball_is_a_yarn_though_its_kind_is_not_said(words: str) -> None:
+    found = pattern(f"MOLE\n\nMATERIALS\n{words}\nSize 4 mm hook\n\nINSTRUCTIONS\n\nTORSO\n{BALL}")
+    assert not any("names no yarn" in p.message for p in tech_edit(build(found)))

@@ -24,7 +24,8 @@ _LENGTH = re.compile(r"(?<![\d/.,])(\d+(?:[.,]\d+)?)\s*(mm|cm|inches|inch|in\b|\
 _MM = {"mm": 1.0, "cm": 10.0}
 _YARN = re.compile(
     r"\b(lace|fingering|sock|sport|dk|double knitting|light worsted|worsted|aran|bulky|chunky|roving|jumbo|cotton|wool|"
-    r"acrylic|merino|alpaca|chenille|velvet|mohair|linen|jute|raffia|twine|\d+[ -]ply)\b",
+    r"acrylic|merino|alpaca|chenille|velvet|mohair|linen|jute|raffia|twine|\d+[ -]ply)\b"
+    r"|\b\d+ (?:balls?|skeins?|hanks?|cones?)\b|\(\s*[\d.]+ ?(?:g|oz)\b[^()\n]{0,40}\b(?:m|yds?|yards?|metres|meters)\b[^()\n]{0,12}\)",
     re.IGNORECASE,
 )
 _EYE = re.compile(r"(\d+(?:[.,]\d+)?)\s*-?\s*mm", re.IGNORECASE)

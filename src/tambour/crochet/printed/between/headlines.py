@@ -24,6 +24,11 @@ _YARN: Final = re.compile(
     re.IGNORECASE,
 )
 """A line of a list that is of yarn."""
+_LITTLE: Final = re.compile(
+    r"\b(?:embroider\w*|floss)\b|\bfor (?:the |his |her |its )?(?:face|cheeks?|nose|mouth|eyes?|smile|whiskers|details?|features)\b",
+    re.IGNORECASE,
+)
+"""One of yarn that only details are made of: "Small amount of black worsted weight yarn for embroidery"."""
 
 
 def below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:
@@ -31,7 +36,8 @@ def below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]
     span = Span(row.tokens[0].start, row.tokens[-1].end)
     words = p.source.text.text[span.start : span.end]
     below, p.below = p.below, ""
-    if p.mode == "materials" and not below and "yarn" not in p.stated and _YARN.search(words) and class_of(words):
+    main = "yarn" not in p.stated and _YARN.search(words) is not None and _LITTLE.search(words) is None
+    if p.mode == "materials" and not below and main and class_of(words):
         return [("yarn", words, span)]
     if p.mode != "materials" or not any(t.kind == "number" for t in tokens):
         return []
