@@ -8,6 +8,7 @@ from tests.crochet_read import pattern
 
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
+from tambour.crochet.language.finishes import Eye
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.choose import account
 
@@ -338,3 +339,22 @@ def test_yarn_for_the_face_is_not_that_of_the_toy() -> None:
 def test_a_ball_is_a_yarn_though_its_kind_is_not_said(words: str) -> None:
     found = pattern(f"MOLE\n\nMATERIALS\n{words}\nSize 4 mm hook\n\nINSTRUCTIONS\n\nTORSO\n{BALL}")
     assert not any("names no yarn" in p.message for p in tech_edit(build(found)))
+
+
+@pytest.mark.parametrize(
+    "words, mm",
+    [
+        ('2 black safety eyes 1/4" [6 mm] for each toy', 6.0),
+        ('Two 7/8" safety eyes', 22.0),
+        ('2 x 5/16" [1 cm] safety eyes', 10.0),
+        ("Two 3/4-inch black safety eyes", 19.0),
+        ("8 mm safety eyes", 8.0),
+        ('Two 3/4" [2 cm] black safety eyes and one 3/8" [1.5 cm] black safety nose', 20.0),
+        ('2 safety eyes ¼" [6 mm]', 6.0),
+    ],
+)
+def test_eyes_in_inches(words: str, mm: float) -> None:
+    found = pattern(
+        f"MOLE\n\nMATERIALS\nCream worsted yarn\n{words}\n\nINSTRUCTIONS\n\nHEAD\n{BALL}\nPlace the eyes between rounds 3 and 4, 4 stitches apart.\n"
+    )
+    assert [e.size for e in found.finish if isinstance(e, Eye)] == [pytest.approx(mm)] * 2

@@ -126,6 +126,13 @@ _SHOWN: Final = re.compile(
 )
 _ANGLE: Final = re.compile(r"(\d{1,3})\s*(?:°|degrees?)|\bat an angle\b|\bangled\b|\bdiagonal\w*\b")
 _SIZE: Final = re.compile(r"(\d+(?:[.,]\d+)?)\s*-?\s*mm\b")
+_NO_SIZE: Final = (
+    r"(?!\s*[\])]?\s*(?:apart|down|up|from|above|below|long|wide|high|tall|tail|away|between|across|deep|of|in\b))"
+)
+_SMALL_CM: Final = re.compile(rf"(?<![\d.,])([0-2](?:[.,]\d+)?)\s*cm\b{_NO_SIZE}")
+_INCHES: Final = re.compile(
+    rf"(?<!\d)(?<!\d )(?:(\d)[/⁄](\d{{1,2}})|([¼½¾⅛⅜⅝⅞]))\s*(?:[\"”]|-?inch(?:es)?\b)(?:\s*[\[(][^()\[\]]{{1,9}}[\])])?{_NO_SIZE}"
+)
 _VULGAR: Final = {"½": 0.5, "¼": 0.25, "¾": 0.75, "⅓": 1 / 3, "⅛": 0.125, "⅜": 0.375, "⅝": 0.625, "⅞": 0.875}
 
 
@@ -241,9 +248,16 @@ def length(words: str, unit: str) -> float:
 
 
 def size(text: str) -> float | None:
-    """A size in mm that is said ("8 mm safety eyes")."""
-    found = _SIZE.search(text)
-    return float(found[1].replace(",", ".")) if found else None
+    """A size in mm that is said ("8 mm safety eyes", "1/4" [6 mm] eyes", "7/8" safety eyes")."""
+    if found := _SIZE.search(text):
+        return float(found[1].replace(",", "."))
+    if found := _SMALL_CM.search(text):
+        return 10.0 * float(found[1].replace(",", "."))
+    found = _INCHES.search(text)
+    if found is None:
+        return None
+    inches = _VULGAR[found[3]] if found[3] else int(found[1]) / int(found[2])
+    return round(2.0 * 25.4 * inches) / 2.0  # as they are sold
 
 
 _AND: Final = re.compile(r"(?:,\s*(?:and\s+)?(?:then\s+)?|;\s*|\.\s+|\s+and\s+(?:then\s+)?|\s+then\s+)(?=\w+)")

@@ -27,10 +27,15 @@ from tambour.crochet.words.phrases import Phrases
 
 _EYE: Final = r"\b(?:eyes?|\w*augen|yeux|\w*ojos|ojitos|\w*ogen|\w*oogjes)\b"
 _NO_EYE: Final = r"(?:(?!hook|nadel|crochet|ganchillo|aguja|naald|yarn)[^.;\n\d]){0,24}"
+_INCHES: Final = r"(?:\d[/⁄]\d{1,2}|[¼½¾⅛⅜⅝⅞])\s*(?:[\"”]|-?inch(?:es)?\b)"
 _EYES: Final = (
+    re.compile(
+        rf"{_EYE}(?:(?! and\b|nose)[^.;\n\d]){{0,12}}{_INCHES}\s*[\[(]\s*\d+(?:[.,]\d+)?\s*[mc]m\b", re.IGNORECASE
+    ),
     re.compile(rf"\d+(?:[.,]\d+)?\s*-?\s?mm\b[^.,;\n\d]{{0,25}}{_EYE}", re.IGNORECASE),
     re.compile(rf"{_EYE}{_NO_EYE}\d+(?:[.,]\d+)?\s*-?mm\b", re.IGNORECASE),
     re.compile(rf"\d+(?:[.,]\d+)?\s*-?mm(?:(?!\d\s*-?mm)[^.;\n]){{0,25}}{_EYE}", re.IGNORECASE),
+    re.compile(rf"{_INCHES}(?:\s*[\[(][^()\[\]\n]{{1,10}}[\])])?[^.,;\n\d]{{0,25}}{_EYE}", re.IGNORECASE),
 )
 """How big eyes are, as lists of materials say it, what tells it best first: "8 mm safety eyes", "Yeux de sécurité 8 mm", "8 mm, eyes"."""
 
