@@ -66,12 +66,12 @@ LEGS = {0: -0.3, 1: -0.19, 2: -0.13, 3: -0.12, 5: -0.04, 6: 0.08, 7: 0.07, 8: -0
 # And how far before the fabric (row, w): both legs outside, equally far, all the way up, so that a V is seen from either side;
 # and behind them, hidden, the yarn that comes through the loop to be the next head. Drawn tight alone the left leg sinks in
 # half way up behind the right one, and from the right a row reads as a rope.
-DEEP = {0: -0.39, 1: -0.35, 2: -0.33, 3: -0.31, 4: -0.22, 5: -0.08, 6: 0.1, 7: 0.31, 8: 0.345, 9: 0.34, 10: 0.28, 11: 0.06, 12: -0.04, 13: 0.05, 14: 0.28, 15: 0.345, 16: 0.345, 17: 0.31, 18: 0.12, 19: -0.04, 21: -0.1, 22: -0.02, 23: 0.0, 24: -0.03, 25: -0.06, 26: -0.06, 27: -0.06, 28: 0.0, 29: 0.09, 30: 0.17, 31: 0.13, 32: 0.04, 33: 0.05, 43: -0.35, 44: -0.39, 45: -0.4}  # fmt: skip
+DEEP = {0: -0.42, 1: -0.37, 2: -0.33, 3: -0.31, 4: -0.22, 5: -0.08, 6: 0.1, 7: 0.31, 8: 0.355, 9: 0.355, 10: 0.3, 11: 0.06, 12: -0.04, 13: 0.05, 14: 0.31, 15: 0.36, 16: 0.355, 17: 0.31, 18: 0.12, 19: -0.04, 21: -0.1, 22: -0.02, 23: 0.0, 24: -0.03, 25: -0.06, 26: -0.06, 27: -0.06, 28: 0.0, 29: 0.09, 30: 0.19, 31: 0.15, 32: 0.04, 33: 0.05, 43: -0.35, 44: -0.42, 45: -0.43}  # fmt: skip
 
 # And how high it is (row, v): legs come out as low as their hole lets them and reach up beside the legs worked over them before they go
 # in, so that rows lie in each other; drawn tight alone they end below that, and a row is a ring of kernels with a groove above it. The head
 # begins down in the gap between the stitches worked over it: alone it stands up there before them, and where the colour changes the old one has teeth.
-LOW = {0: 0.66, 1: 0.55, 2: 0.4, 3: 0.24, 5: -0.02, 6: -0.06, 7: 0.0, 8: 0.3, 9: 0.62, 10: 0.97, 11: 0.8, 12: 0.73, 13: 0.82, 14: 0.94, 15: 0.6, 16: 0.28, 17: 0.0, 18: -0.07, 27: 0.9, 28: 0.97, 29: 1.02, 30: 1.02, 31: 1.07, 32: 1.155, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.79, 45: 0.74}  # fmt: skip
+LOW = {0: 0.66, 1: 0.55, 2: 0.4, 3: 0.24, 5: -0.02, 6: -0.06, 7: 0.07, 8: 0.32, 9: 0.58, 10: 0.84, 11: 0.76, 12: 0.73, 13: 0.76, 14: 0.81, 15: 0.55, 16: 0.31, 17: 0.07, 18: -0.07, 27: 0.9, 28: 0.97, 29: 1.02, 30: 1.02, 31: 1.07, 32: 1.155, 39: 1.24, 40: 1.18, 43: 0.86, 44: 0.79, 45: 0.74}  # fmt: skip
 
 # The same of the yarn laid under the hook, whose legs cross half way up and stand as far apart below as above, an x: the leg that comes
 # down lies before the other, and steeper, so that the other is seen on either side of it. Drawn tight alone they cross in their hole, and one sees a single slanted leg, a kernel; and its head

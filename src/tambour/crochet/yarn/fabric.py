@@ -45,8 +45,6 @@ LIMP, LIES = 0.55, 6.0
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
-BULGED = 0.04
-"""How much further out bends lie where points of a curve were left out, as a share of how far they bend."""
 LONGEST = 5.0
 """Segments are shorter than this, in radii, where strands are pushed apart: one long one makes pairs dear to find."""
 
@@ -123,7 +121,6 @@ def strands(
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
     coords, ends, of = _thinner(coords, ends, of, min(stray, 0.3) * radius)
-    coords = _bulged(coords, ends)
     coords, ends, again = points.dense(coords, ends, LONGEST * radius)
     of = points.between(of, again)
     # What is drawn is what has its room: nothing is rounded or left out after this, but in low detail.
@@ -204,16 +201,6 @@ def eased_out(coords: Array, ends: Array, times: int) -> Array:
         bend[held] = 0.0
         coords = coords + share_of * bend
     return np.ascontiguousarray(coords)
-
-
-def _bulged(coords: Array, ends: Array) -> Array:
-    """Polylines whose bends lie a little further out: straight between the points that are left of a curve, they would cut it short."""
-    out, inner = coords.copy(), np.ones(len(coords), np.bool_)
-    some = np.diff(ends) > 0
-    inner[ends[:-1][some]] = inner[ends[1:][some] - 1] = False
-    at = np.flatnonzero(inner)
-    out[at] += BULGED * (coords[at] - 0.5 * (coords[at - 1] + coords[at + 1]))
-    return out
 
 
 def _named(graph: StitchGraph, kind: str) -> list[int]:

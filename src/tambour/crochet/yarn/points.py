@@ -22,7 +22,7 @@ FULLER = 0.2
 """How much thicker the legs of half doubles are in their middle."""
 BEHIND = 0.15
 """How much thicker yarn is behind the work, where nothing draws it tight: it closes what the loops before it leave open."""
-SPREAD = 0.5
+SPREAD = 0.6
 """The same of yarn that stuffing lies behind: pressed flat against it, it spreads. At .15 every ball and bear had holes of a third of the yarn."""
 HIGHEST = 0.8
 """Up to here, of a stitch's height, legs are brought upright the further the higher; the arch between them stays where it is."""

@@ -15,7 +15,7 @@ from tambour.crochet.yarn.course import Course, on_row
 from tambour.crochet.yarn.lead import Way
 from tambour.crochet.yarn.points import BLOCK, erect
 
-SLANTS: Final = {"over": 0.12, "under": 0.08}
+SLANTS: Final = {"over": 0.14, "under": 0.08}
 """How far the middle of a V moves along the work in a cell whose column stands upright, in widths over its height; what of it is brought upright."""
 MIDDLE: Final = 0.23
 """Where in its cell a V stands."""
