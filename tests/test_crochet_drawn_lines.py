@@ -200,3 +200,60 @@ def test_stitches_that_only_hold_a_leg_put_nothing_anywhere() -> None:
     how = "Front legs: closed edge on the body between R18 and R19, at the front, 2 sts apart. Fix the inner side of each leg with a few stitches at R10."
     legs = [r for r in pattern(_CAT.format(how=how)).finish if isinstance(r, Placed) and r.part.startswith("FRONT")]
     assert {r.spot.round for r in legs} == {18.5}
+
+
+@pytest.mark.parametrize(
+    ("before", "above"),
+    [
+        (
+            "NOTES\nThe body is worked in a spiral, and the beginning of the round runs along the TOP of the whale.\n\n",
+            True,
+        ),
+        ("NOTES\nThe beginning of the round runs along the belly.\n\n", False),
+        ("NOTES\nMark the beginning of the round.\n\n", False),
+    ],
+)
+def test_where_all_rounds_begin_may_be_said_before_the_parts(before: str, above: bool) -> None:
+    assert (_lowest(_fish().replace("BODY (blue)", before + "BODY (blue)")) > 0.0) == above
+
+
+def test_a_belly_lies_in_the_middle_of_the_underside() -> None:
+    belly = next(r for r in pattern(_fish()).finish if isinstance(r, Placed) and r.part == "BELLY")
+    spots = Spots(build(pattern(_fish())))
+    spots.stand(0, "side")
+    over = 1.0 + spots.front(spots.round_at(0, 7) or 0)
+    assert abs(((belly.spot.stitch or 0.0) - over) % 24 - 12) < 0.01
+
+
+def test_two_flukes_that_become_one_are_no_body() -> None:
+    words = _fish().replace(
+        "TAIL FLUKES (make 2, blue)\nRnd 1: 6 sc in MR (6)\nRnd 2: sc in each st (6)\n",
+        "TAIL FLUKES (make 2, blue)\nRnd 1: 6 sc in MR (6)\nRnd 2: sc in each st (6)\nCut the yarn on the first one, but not on the second.\n"
+        "Rnd 3: Sc in the 6 sts of the second fluke, then sc in the 6 sts of the first fluke. (12)\n",
+    )
+    assert [p.name for p in pattern(words).parts] == ["BODY", "BELLY", "TAIL FLUKES"]
+
+
+_SPOTTED = (
+    "TOADSTOOL HOUSE\nA little house.\n\nWALLS (cream)\n" + _BALL.format(last=14) + "Fasten off. Stuff.\n\n"
+    "ROOF (red)\nBegin at the top.\n" + _BALL.format(last=12) + "\n"
+    "SPOTS (make 3, white)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n\n"
+    "MAKING UP\nSew the roof to the walls. Sew on the spots at the front, the left and the back, around Rnds 5 to 8.\n"
+)  # fmt: skip
+
+
+def test_spots_with_a_place_and_no_part_are_on_the_roof() -> None:
+    spots = [r for r in pattern(_SPOTTED).finish if isinstance(r, Placed) and r.part.startswith("SPOTS")]
+    assert {r.spot.part for r in spots} == {"ROOF"}
+
+
+_WIG = (
+    "DOLL\nShe stands 20 cm tall.\n\nHEAD (beige)\nBegin at the top.\n" + _BALL.format(last=12) + "Rnd 13: (2 sc, dec) x 6 (18)\nStuff.\n\n"
+    "HAIR (brown)\n" + _BALL.format(last=8) + "Rnd 9: [ch 11, 10 sc back, sl st in next 2 st of cap] x 6\n\n"
+    "MAKING UP\nPull the cap over her head. Sew it all round.\n"
+)  # fmt: skip
+
+
+def test_a_cap_of_hair_is_sewn_above_its_strands() -> None:
+    hair = next(r for r in pattern(_WIG).finish if isinstance(r, Placed) and r.part == "HAIR")
+    assert hair.by == 8.0

@@ -23,6 +23,8 @@ LOCKS = re.compile(
     r"trenzas?|cheveux|mèches?|nattes?|boucles?|vlecht|vlechten|lok|lokken)(?![^\W\d_])"
 )
 """Names of single locks of hair."""
+HAIR = re.compile(r"\b(?:hair|wig|haare?|pelo|cheveux|haar)(?![^\W\d_])")
+"""Names of what hangs from a head, also where that is one piece with its body."""
 NARROW = 4
 """A lock is sewn on by so many stitches at the most, its end;"""
 LONG = 5
@@ -58,7 +60,10 @@ def fallen(task: Task, x: Array, joined: Joined, own: Array) -> Array:
             by.setdefault(_head(on, part, [p.name.lower() for p in graph.parts]), []).append((nodes, base))
     x = x.copy()
     for head, strands in by.items():
-        if len(strands) > FEW and HEADS.search(graph.parts[head].name.lower()):
+        named = HEADS.search(graph.parts[head].name.lower()) or all(
+            HAIR.search(graph.parts[graph.part[n[0]]].name.lower()) for n, _ in strands
+        )
+        if len(strands) > FEW and named:
             _hang(x, np.flatnonzero(graph.part == head), strands, float(x[own, 1].min()))
     return x
 

@@ -38,8 +38,8 @@ _BEGIN = (
 )
 _SEAM = re.compile(
     _BEGIN
-    + r"(?:(?! not )[^.;\n\d]){0,40}?\b(?:mid(?:dle|line)|cent(?:er|re)) (?:of (?:the |his |her |its |[a-z]+'s )?)?"
-    r"(?P<side>back|belly|tummy|underside|chest|front|breast|stomach)\b(?! (?:loops?|legs?|paws?|post))",
+    + r"(?:(?! not )[^.;\d]){0,40}?\b(?:(?:mid(?:dle|line)|cent(?:er|re)) (?:of (?:the |his |her |its |[a-z]+'s )?)?|(?:along|on) the )"
+    r"(?P<side>back|belly|tummy|underside|chest|front|breast|stomach|top)\b(?! (?:loops?|legs?|paws?|post|of (?:the |his |her |its )?head))",
     re.IGNORECASE,
 )
 """On which side the rounds of a piece begin: "The stitch you are about to make is the middle of his back"."""
@@ -193,11 +193,12 @@ def _begins_on(spots: Spots, part: int) -> str | None:
     section = pattern.parts[spots.built.parts[part].section]
     if not pattern.terms or spots.in_rows[part]:
         return None
-    end = min(
-        (p.span.start for p in pattern.parts if p.span.start > section.span.start), default=len(pattern.text.text)
-    )
+    starts = sorted(p.span.start for p in pattern.parts)
+    end = min((k for k in starts if k > section.span.start), default=len(pattern.text.text))
     found = _SEAM.search(pattern.text.text, section.span.start, end)
-    return None if found is None else "back" if found["side"].lower() == "back" else "front"
+    if found is None and _TRUNK.search(section.name.lower()):
+        found = _SEAM.search(pattern.text.text, 0, starts[0])  # said of all of it, before its parts
+    return None if found is None else "back" if found["side"].lower() in ("back", "top") else "front"
 
 
 def _tail(spots: Spots, x: Array, name: str) -> tuple[float, float] | None:

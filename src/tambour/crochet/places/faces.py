@@ -50,8 +50,10 @@ _BESIDE_EACH: Final = 0.8
 _WIDELY: Final = 0.2
 """How far off the middle of the front eyes are at the most that make room for a beak, as a share of the round."""
 _OVER_BACK: Final = re.compile(
-    rf"\b({QUANTITY})\s*{ST}\s+(?:in\s+)?between\s+(?:(?:the|both)\s+)?(?:eyes|them|two)\s+(?:over|across|along)\s+(?:the|his|her|its)\s+(?:back|top|head)\b"
+    rf"\b({QUANTITY})\s*{ST}\s+(?:in\s+)?between\s+(?:(?:the|both)\s+)?(?:eyes|them|two)\s+(?:going\s+|counted\s+|measured\s+)?(?:over|across|along)\s+(?:the|his|her|its)\s+(?:back|top|head)\b"
 )
+_BEHIND: Final = 300
+"""So many letters behind a sentence of the eyes another may say how far apart they are."""
 _HANGS, _DEEP = 0.24, 1.5
 """How far a smile as wide as is said hangs, for its width, and in rounds at the most."""
 _TINY: Final = 0.7
@@ -106,12 +108,7 @@ class Facer(Putter):
     def _over_back(self, f: Feature, host: Host) -> Feature:
         """Eyes of what lies as far apart as a sentence behind theirs says: "You should have 26 stitches between the eyes over the back"."""
         lies = host.name == self.work.main.copy(1) and self._lies((self.work.main, 1))
-        end = self.work.text.find("\n", f.span.end)
-        said = (
-            _OVER_BACK.search(self.work.text, f.span.end, len(self.work.text) if end < 0 else end)
-            if f.span.end
-            else None
-        )
+        said = _OVER_BACK.search(self.work.text, f.span.end, f.span.end + _BEHIND) if f.span.end else None
         if not lies or said is None or f.where.apart is not None or f.where.pair is not None:
             return f
         return replace(f, where=replace(f.where, apart=quantity(said[1]) + 1.0))

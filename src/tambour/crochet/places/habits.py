@@ -53,7 +53,7 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         r"at the neck, lower edge on round \1",
     ),
     (
-        rf"\b(?:doorstep|threshold|sill|(?:its|the)\s+(?:bottom|lower)\s+(?:edge|end))\s+(?:exactly\s+|right\s+|just\s+)?(?:on|at|along)\s+{_R}(?:\s+(?:edge|line))?",
+        rf"\b(?:doorstep|threshold|sill|(?:(?:its|the)\s+)?(?:bottom|lower)\s+(?:edge|end))\s+(?:exactly\s+|right\s+|just\s+)?(?:on|at|along)\s+(?:the\s+line\s+[^.;\d(]{{0,30}}\(?)?{_R}(?:/\d+\)?)?(?:\s+(?:edge|line))?",
         r"lower edge on round \1",
     ),
     # what is not meant, and how a piece runs or what it touches, say no place

@@ -14,6 +14,7 @@ from tambour.core.graph import BLO, FLO
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.capped import rim_on
 from tambour.crochet.finish.joining import BODY, GATHER
+from tambour.crochet.finish.limp import FEW, strings
 from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.hear import Copy, Put
@@ -62,6 +63,8 @@ _STANDS: Final = 0.7
 """A body stands whose axis is so upright, as a cosine."""
 _NARROWS: Final = 0.75
 """A body narrows to its neck that ends there with less than this share of its widest round."""
+_CAP: Final = 0.75
+"""The rim of a cap has this share of its widest round, or more."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 
@@ -166,7 +169,7 @@ class Holder(Snouts):
             record = replace(record, points=way.axis)  # which way is up on the top of a head is left to a trifle
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
-        if (begun := self._by_beginning(put, copy)) is not None:
+        if (begun := self._by_beginning(put, copy) or self._above_strands(copy)) is not None:
             return replace(record, by=begun)
         return replace(record, by=self._by(record, host, n)) if not flat else record
 
@@ -178,6 +181,17 @@ class Holder(Snouts):
         part = self.work.spots.parts[copy[0].copy(copy[1])]
         numbers = [n for n, ring in self.work.host(copy).levels if len(ring) >= _RING]
         return float(numbers[0]) if numbers and not self.work.spots.in_rows[part] else None
+
+    def _above_strands(self, copy: Copy) -> float | None:
+        """The last whole round of a cap of hair whose rim is strands, which hang from there; None of all else."""
+        spots, part = self.work.spots, self.work.spots.parts[copy[0].copy(copy[1])]
+        if not copy[0].hair or spots.in_rows[part]:
+            return None
+        graph = self.work.built.graph
+        hung = [base for _, base in strings(graph) if graph.part[base] == part]
+        wide = max((len(ring) for _, ring in self.work.host(copy).levels), default=0)
+        whole = [n for n, ring in self.work.host(copy).levels if len(ring) >= _CAP * wide]
+        return float(whole[-1]) if len(hung) > FEW and self.work.open(copy[0].copy(copy[1])) < _CAP * wide else None
 
     def _shut_below(self, host: Host) -> float | None:
         """The round of a stuffed body's lower end, where that stays open and is sewn shut from side to side; None else."""

@@ -115,7 +115,7 @@ class Hosts(Likely):
     def _seat(self, p: Put, puts: list[Put]) -> None:
         """Gives a put its host: what was said, or what such parts are usually on; never what would hide it."""
         main, head = self.main, self.of_kind("head")
-        kind, made = p.kind, p.copies[0][0]
+        kind, made, unsaid = p.kind, p.copies[0][0], p.host is None
         if p.host is not None and p.host[0] not in (main, head) and self._past(p):
             p.host = None  # "ears: either side of the horn, Round 19": of the head, a horn has eight
         if kind == "head" and "neck" in p.where.words:
@@ -155,7 +155,7 @@ class Hosts(Likely):
         crowned = p.host[0] == head or (head is None and p.host[0] == main and self._goes_on_head(p))
         if hats and _OF_ROOF & set(made.words) and (p.guess or not p.where.beside or p.host[0] == main):
             p.host = (hats[0], 1)  # an attic window, over the door
-        if kind == "spot" and main.kind == "stem" and hats and p.host[0] == main and not p.where.says:
+        if kind == "spot" and main.kind == "stem" and hats and p.host[0] == main and (unsaid or not p.where.says):
             p.host = (hats[0], 1)  # a toadstool's are on its cap
         if kind in _CROWNING and crowned and hats and p.where.rounds is None and not p.where.beside:
             p.host = (next((m for m in hats if not m.hair), hats[0]), 1)

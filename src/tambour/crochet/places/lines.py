@@ -62,9 +62,9 @@ def worked(low: str, parts: list[tuple[int, int]]) -> bool:
     )
 
 
-def behind_rounds(text: str, begin: int) -> bool:
+def behind_rounds(text: str, begin: int, near: int = _NEAR) -> bool:
     """Whether a sentence, at ``begin`` of a text, stands right behind rounds, and so in their part."""
-    before = [line for line in text[:begin].split("\n")[-_NEAR:] if line.strip()]
+    before = [line for line in text[:begin].split("\n")[-near:] if line.strip()]
     return any(_HEADS.match(line) for line in before)
 
 

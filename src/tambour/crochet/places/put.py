@@ -345,6 +345,9 @@ class Putter(Pairer):
                 return Spot(host.name, level, host.in_round(level, beside - host.box[0]), put.span), way
             if len(put.copies) == 1 and (abs(way.at[0]) > 0.2 or way.at[2] < 0.2):
                 stitch = round(2.0 * stitch) / 2.0
+            if len(put.copies) == 1 and abs(way.at[0]) < 0.05 and way.at[1] < -0.5 and self._lies_name(host):
+                half = 0.5 * host.count(level)  # in the middle of the underside, across from that of the top
+                stitch = (host.middle(level) + half - 1.0) % (2.0 * half) + 1.0
             if len(put.copies) == 1 and abs(way.at[0]) < 0.2 and abs(way.at[2]) > 0.2:
                 stitch = host.middle(level) if way.at[2] > 0 or self._lies_name(host) else stitch
             return Spot(host.name, level, round(stitch, 3), put.span), way

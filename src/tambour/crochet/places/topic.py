@@ -193,7 +193,7 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...], within: str
     ):
         return f"{words[: made.start()]}embroider a {label[1].lower()}{words[made.end() :]}"
     name = topic(text, begin, names)
-    if not name and within in names and _EDGE.search(words.lower()) and lines.behind_rounds(text, begin):
+    if not name and within in names and _EDGE.search(words.lower()) and lines.behind_rounds(text, begin, 2):
         name = within  # "Stuff, and sew the open end to the side of the roof"
     if not name:
         return words

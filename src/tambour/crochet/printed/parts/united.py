@@ -10,7 +10,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item, Line
-from tambour.crochet.places.names import one
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.parts.part import Draft
 from tambour.crochet.printed.rounds.reader import Body
@@ -493,7 +493,7 @@ def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span
         family
         if family
         else draft.name
-        if draft is not here or draft.twin
+        if draft is not here or draft.twin or kind_of(one(noun)) not in ("", "leg", "foot")
         else f"{noun}s and body".upper()
         if here.name.isupper()
         else f"{noun.capitalize()}s and body"
