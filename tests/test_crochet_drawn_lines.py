@@ -257,3 +257,22 @@ _WIG = (
 def test_a_cap_of_hair_is_sewn_above_its_strands() -> None:
     hair = next(r for r in pattern(_WIG).finish if isinstance(r, Placed) and r.part == "HAIR")
     assert hair.by == 8.0
+
+
+_DOG = (
+    "DOG\nHe stands on four legs.\n\nBODY (brown)\nBegin at the nose.\n" + _BALL.format(last=20) + "Rnd 21: (2 sc, dec) x 6 (18)\n\n"
+    "LEGS (make 4)\nRnd 1: 6 sc in MR (6)\nRnd 2-6: sc in each st (6)\n\nEARS (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2-4: sc in each st (6)\n\nASSEMBLY\n{how}\n"
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        "Sew the legs on. Front two legs at round 6, back two at 16.",
+        "Pin the legs to the body, the front two at round 6, the back two at round 16.",
+    ],
+)
+def test_two_pairs_of_legs_are_told_wherever_they_are(how: str) -> None:
+    legs = [r for r in pattern(_DOG.format(how=how)).finish if isinstance(r, Placed) and r.part.startswith("LEGS")]
+    assert sorted(r.spot.round for r in legs) == [6.0, 6.0, 16.0, 16.0]
+    assert unread(_DOG.format(how=how)) == []

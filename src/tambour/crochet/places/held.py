@@ -65,6 +65,8 @@ _NARROWS: Final = 0.75
 """A body narrows to its neck that ends there with less than this share of its widest round."""
 _CAP: Final = 0.75
 """The rim of a cap has this share of its widest round, or more."""
+_ROUNDS, _HEAD = 3, 18
+"""So many rounds that are as wide, and so many stitches, make a cap of hair."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 
@@ -191,7 +193,12 @@ class Holder(Snouts):
         hung = [base for _, base in strings(graph) if graph.part[base] == part]
         wide = max((len(ring) for _, ring in self.work.host(copy).levels), default=0)
         whole = [n for n, ring in self.work.host(copy).levels if len(ring) >= _CAP * wide]
-        return float(whole[-1]) if len(hung) > FEW and self.work.open(copy[0].copy(copy[1])) < _CAP * wide else None
+        round_ = len(whole) >= _ROUNDS and wide >= _HEAD  # and no beard, whose strands hang from a chain
+        return (
+            float(whole[-1])
+            if round_ and len(hung) > FEW and self.work.open(copy[0].copy(copy[1])) < _CAP * wide
+            else None
+        )
 
     def _shut_below(self, host: Host) -> float | None:
         """The round of a stuffed body's lower end, where that stays open and is sewn shut from side to side; None else."""

@@ -105,11 +105,12 @@ _STROKES: Final = re.compile(
 _BREAK: Final = re.compile(r"[.!?:][\s\"”)*]*$")
 _LINE: Final = 32  # letters of a line that a page's edge breaks, or more
 _PAIRS: Final = re.compile(
-    r"(?:\bthe\s+|^\W*)(?P<one>front|first|hind|back|rear)\s+(?:two|pair|ones?)\b(?P<a>.*?)[,;]?\s+(?:and\s+)?the\s+(?P<two>front|second|hind|back|rear)\s+(?:two|pair|ones?)\b(?P<b>.*)",
+    r"(?:\bthe\s+|^\W*)(?P<one>front|first|hind|back|rear)\s+(?:two|pair|ones?)\b(?P<a>.*?)[,;]?\s+(?:and\s+)?(?:the\s+)?(?P<two>front|second|hind|back|rear)\s+(?:two|pair|ones?)\b(?P<b>.*)",
     re.DOTALL,
 )
 """Four of a part, told as two pairs: "the hind pair between Rd 8 and Rd 15, the front pair between Rd 17 and Rd 24"."""
 _OVER_ROUNDS: Final = re.compile(rf"\b{ROUND}\s?\.?\s*(\d+)(?:\s*(?:to|and|-|–)\s*(?:{ROUND}\s?\.?\s*)?(\d+))?")
+_AT_NUMBER: Final = re.compile(r"\s*(?:at|in|on|over)\s+(\d+)(?:\s*(?:to|and|-|–)\s*(\d+))?(?=\s*$|\s*[,.;])")
 _THEY_GO: Final = re.compile(r"^\W*(?:they|these|both)\s+(?=(?:go|sit|belong|are placed)\b)")
 
 
@@ -132,6 +133,8 @@ def _starts(text: str, begin: int) -> int:
     return line
 
 
+_BEFORE: Final = 160
+"""So many letters before a sentence name the limbs that it tells in pairs."""
 _SURFACE: Final = re.compile(r"\bsurface[- ](?:sl(?:ip)?[- ]?st(?:itch)?(?:es)?|crochet|chain)\b", re.IGNORECASE)
 """What is crocheted onto the fabric as one embroiders it."""
 _ON_FACE: Final = re.compile(
@@ -192,7 +195,7 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...], within: str
         and (made := _STROKES.search(words.lower())) is not None
     ):
         return f"{words[: made.start()]}embroider a {label[1].lower()}{words[made.end() :]}"
-    name = topic(text, begin, names)
+    name = topic(text, begin, names) or _of_pairs(text, begin, words, names)
     if not name and within in names and _EDGE.search(words.lower()) and lines.behind_rounds(text, begin, 2):
         name = within  # "Stuff, and sew the open end to the side of the roof"
     if not name:
@@ -222,6 +225,25 @@ def _of_eyes(low: str, names: tuple[str, ...]) -> bool:
     eyes = [m.start() for m in _EYES.finditer(low)]
     others = [m.start for m in mentions(low, [Made(name, 1) for name in names]) if low[m.start : m.end].endswith("s")]
     return bool(eyes) and eyes[-1] > max(others, default=-1)
+
+
+def _rounds_of(pairs: re.Match[str] | None) -> list[re.Match[str] | None]:
+    """The rounds of each of two pairs; of the second the number alone may be said, "the front two at round 12, the back two at 4"."""
+    if pairs is None or (first := _OVER_ROUNDS.search(pairs["a"])) is None:
+        return []
+    return [first, _OVER_ROUNDS.search(pairs["b"]) or _AT_NUMBER.match(pairs["b"])]
+
+
+def _of_pairs(text: str, begin: int, words: str, names: tuple[str, ...]) -> str:
+    """The limbs of which a sentence tells two pairs: those that it, or the one before it, names; "" of all else."""
+    pairs = _PAIRS.search(words.lower())
+    if pairs is None or not all(_rounds_of(pairs)):
+        return ""
+    said = (
+        text[max(text.rfind("\n", 0, begin) + 1, begin - _BEFORE) : begin].lower() + words.lower()[: pairs.start("b")]
+    )
+    named = [m for m in mentions(said, [Made(name, 4) for name in names]) if m.copies[0][0].kind in LIMBS]
+    return named[-1].copies[0][0].name if named else ""
 
 
 def topic(text: str, begin: int, names: tuple[str, ...]) -> str:
@@ -259,7 +281,7 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
     called = _called(name)
     made = low
     pairs = _PAIRS.search(made)
-    rounds = [_OVER_ROUNDS.search(pairs[k]) for k in ("a", "b")] if pairs is not None else []
+    rounds = _rounds_of(pairs)
     if pairs is not None and all(rounds):
         some = [f"over rounds {m[1]} to {m[2] or m[1]}" for m in rounds if m is not None]
         made = f"sew the {pairs['one']} {called} {some[0]}, and sew the {pairs['two']} {called} {some[1]}"
