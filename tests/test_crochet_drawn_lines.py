@@ -276,3 +276,11 @@ def test_two_pairs_of_legs_are_told_wherever_they_are(how: str) -> None:
     legs = [r for r in pattern(_DOG.format(how=how)).finish if isinstance(r, Placed) and r.part.startswith("LEGS")]
     assert sorted(r.spot.round for r in legs) == [6.0, 6.0, 16.0, 16.0]
     assert unread(_DOG.format(how=how)) == []
+
+
+def test_two_pairs_without_rounds_are_no_places() -> None:
+    how = "Legs: the front two go under the chest, the back two under the belly."
+    assert (
+        len([r for r in pattern(_DOG.format(how=how)).finish if isinstance(r, Placed) and r.part.startswith("LEGS")])
+        == 4
+    )

@@ -230,7 +230,7 @@ def _of_eyes(low: str, names: tuple[str, ...]) -> bool:
 def _rounds_of(pairs: re.Match[str] | None) -> list[re.Match[str] | None]:
     """The rounds of each of two pairs; of the second the number alone may be said, "the front two at round 12, the back two at 4"."""
     if pairs is None or (first := _OVER_ROUNDS.search(pairs["a"])) is None:
-        return []
+        return [None]
     return [first, _OVER_ROUNDS.search(pairs["b"]) or _AT_NUMBER.match(pairs["b"])]
 
 
