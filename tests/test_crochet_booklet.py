@@ -16,10 +16,11 @@ from tambour.crochet.maker.materials import materials
 from tambour.crochet.page.angle import VIEW
 from tambour.crochet.page.annotated import view as edited
 from tambour.crochet.page.assembly import held
-from tambour.crochet.page.begin import _hows, _merged, _ways
-from tambour.crochet.page.book import Book
+from tambour.crochet.page.begin import _hows, _ways
+from tambour.crochet.page.book import OURS, Book
 from tambour.crochet.page.charted import helps
 from tambour.crochet.page.diagram import symbols
+from tambour.crochet.page.glossary import glossary
 from tambour.crochet.page.parts import _explained, _ticks, with_hers
 from tambour.crochet.page.pictures import _broad, steps
 from tambour.crochet.page.plain import as_she_writes
@@ -139,13 +140,14 @@ def test_hands_are_told_what_they_must_know() -> None:
     door = [said for said, _ in rows(shop("toadstool"), "DOOR")]
     assert "Row 1 Sc in 2nd ch from hook and in each ch across, turn." in door
     legs = [said for said, _ in rows(shop("pickles"), "FRONT LEGS")]
-    assert "Change to grey, with the last yarn over of the stitch before." in legs
+    assert "Change to grey." in legs  # her words; how that is done stands before the rounds
     assert "FRONT LEGS (make 2, start with cream)" in [block.title for block in shop("pickles").said.blocks]
+    assert "change text" in _ways(shop("pickles"))
     assert _ways(shop("toadstool")) == [
         "spiral",
         "turning text",
     ]  # rings that end in a slip stitch are no joined rounds
-    assert not {"change text", "turning text"} & set(_ways(shop("pickles")))  # where it changes a line says how
+    assert "turning text" not in _ways(shop("pickles"))
     assert "change text" not in _ways(shop("willa"))  # parts of one colour each
     joined = book(
         "BALL\nRnd 1: 6 sc in MR, join (6)\n"
@@ -184,14 +186,29 @@ def test_a_head_that_is_sewn_on_has_its_eyes() -> None:
 
 
 def test_abbreviations_mean_what_the_designer_means_and_stand_once() -> None:
-    for name in ("willa", "pickles"):
-        assert next(m for said, m in _merged(shop(name)) if "dec" in said.split(", ")).startswith("invisible decrease")
-    said = [word for words, _ in _merged(shop("pickles")) for word in words.split(", ")]
-    assert len(said) == len(set(said)) and ("Rnd, R", "round") in _merged(shop("pickles"))
-    assert ("dec", "decrease: 2 sc worked together") in _merged(shop("toadstool"))
-    assert [m for words, m in _merged(shop("toadstool")) if "st" in words.replace("(s)", "").split(", ")] == [
-        "stitch(es)"
+    for name in ("willa", "pickles", "toadstool"):
+        listed = glossary(shop(name))
+        said = [word for words, _ in listed for word in words.removeprefix(OURS).split(", ") if word]
+        assert len(said) == len(set(said))
+        hers = [words for words, _ in listed if not words.startswith(OURS)]
+        assert listed[: len(hers)] == [pair for pair in listed if pair[0] in hers]  # ours behind hers
+
+
+def test_her_list_of_abbreviations_stays_as_it_is_and_ours_hold_only_what_is_used() -> None:
+    text = (
+        "Pea\n\nAbbreviations\nMR = magic ring\nss - slip stitch; dc - double crochet (this is a US single crochet!)\n"
+        "( ) x 6 = work what is between the brackets 6 times\n\nBALL\nRnd 1: 6 dc in MR (6)\nRnd 2: (2 dc in next st) x 6 (12)\n"
+        "Rnd 3: 3 dc in next st, dc in next 11 sts (14)\nRnd 4: dc in each st (14)\nSs in next st. Do not join."
+    )
+    listed = glossary(book(text))
+    assert listed[:4] == [
+        ("MR", "magic ring"),
+        ("ss", "slip stitch"),
+        ("dc", "double crochet (this is a US single crochet!)"),
+        ("( ) x 6", "work what is between the brackets 6 times"),
     ]
+    ours = {words.removeprefix(OURS) for words, _ in listed if words.startswith(OURS)}
+    assert "Rnd" in ours and not ours & {"inc3", "inc", "join", "dec", "tog", "dc"}, ours
 
 
 def test_charts_stand_where_they_tell_more_than_words() -> None:
@@ -263,7 +280,8 @@ def test_a_step_is_not_said_twice_nor_an_assembly_taken_for_rounds() -> None:
     assert "Sew the tail" not in tail and "Putting" not in tail and "Well done" not in tail
     assert of.hers is not None and of.hers.closing == ["Well done!"]
     body = [said for said, _ in rows(of, "BODY")]
-    assert "Begin stuffing the body, nice and firm." in body and not any("*" in said for said in body)
+    assert "Begin stuffing the body, nice and firm." in body
+    assert not any("*" in said for said in body if not said.startswith("Rnd"))
 
 
 def test_the_report_tells_a_designer_what_she_leaves_open() -> None:

@@ -113,7 +113,7 @@ def test_a_part_is_headed_as_she_heads_it_and_its_yarn_said_once() -> None:
 def test_her_brackets_stay_where_she_has_them() -> None:
     body = [str(row) for row in with_hers(book(), book().said.blocks[0])]
     assert "Rnd 13: 4 sc, (2 sc, dec) x 4, 4 sc (20)" in body  # it was "6 sc, [dec, 2 sc] x 3, dec, 4 sc"
-    assert "Rnd 4: [2 sc, inc] x 6 (24)" in body
+    assert "Rnd 4: (2 sc, inc) x 6 (24)" in body  # as the others
 
 
 def test_a_round_that_is_worked_from_sign_to_sign_keeps_its_signs_and_its_heading() -> None:
@@ -255,14 +255,14 @@ def test_rounds_that_go_on_below_another_part_stand_there_once() -> None:
     assert sum("Rnd 9" in row for row in rows) == 1, rows
 
 
-def test_signs_of_her_legend_are_words_of_rounds() -> None:
+def test_rounds_in_signs_of_her_legend_stay_so() -> None:
     text = "EAR\nX = single crochet\nV = 2X in the same stitch\n\nEAR (grey)\nFrom the tip to the base.\nR1: 6X in magic ring\nR2: 6V (12)\nR3: 12X (12)\nChange to white:\nR4: (1X, V)*6 (18)\n"
     rows = [
         str(row)
         for row in _explained(book(text), book(text).said.blocks[-1], with_hers(book(text), book(text).said.blocks[-1]))
     ]
-    assert "Rnd 2: 6 inc (12)" in rows and "Rnd 4: [sc, inc] x 6 (18)" in rows, rows  # they stood beside "12 sc"
-    assert not any(":," in row for row in rows)
+    assert "Rnd 2: 6V (12)" in rows and "Rnd 4: (1X, V)*6 (18)" in rows, rows  # all of them hers: no two notations
+    assert "Change to white:" in rows and not any(":," in row for row in rows)
 
 
 def test_where_a_part_is_begun_is_said_once() -> None:

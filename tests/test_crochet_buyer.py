@@ -103,9 +103,10 @@ def test_a_round_that_is_not_understood_stands_in_her_words(said: str, kept: str
     assert not helps(of.piece.built)  # a chart would show what was taken, not what she says
 
 
-def test_rounds_that_are_understood_stay_ours() -> None:
+def test_rounds_that_are_understood_stay_in_her_words() -> None:
     rows = lines(book(BALL.format(round="Rnd 4: sc around (18)", after="")))
-    assert "Rnd 4: 18 sc (18)" in rows and "Rnd 5-7: 18 sc (18)" in rows  # a line for each of hers
+    assert "Rnd 4: sc around (18)" in rows and "Rnd 5-7: sc around (18)" in rows  # a line for each of hers
+    assert "Rnd 3: (sc, inc) x 6 (18)" in rows  # it was "[sc, inc] x 6", and her list explains "( ) x 6"
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from tambour.core.graph import SEWN
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot
-from tambour.crochet.maker import sure
+from tambour.crochet.maker import agree, sure
 from tambour.crochet.maker.drawn import sized
 from tambour.crochet.maker.named import rounds_named
 from tambour.geometry.near import nearest
@@ -61,15 +61,25 @@ class Taken:
         placed = [r for r in records if isinstance(r, Placed)]
         for base in dict.fromkeys(self._base(r) for r in placed):
             alike = [r for r in placed if self._base(r) == base]
-            said = self._said(self._part(alike)) if self._sure(alike) else []
-            if said and self._against(alike):
-                said = [self.own["took elsewhere"]]
+            pieces = self._part(alike) if self._sure(alike) else []
+            said = self._agreed(alike, pieces) if any(pieces) else []
             made |= dict.fromkeys(said)
         drawn = [r for r in records if isinstance(r, Embroidery)]
         for motif in dict.fromkeys((r.motif, r.spots[0].part) for r in drawn):
             said = sized(self, [r for r in drawn if (r.motif, r.spots[0].part) == motif])
             made |= dict.fromkeys(self._said(said, self._called(motif[0]) if len({m.motif for m in drawn}) > 1 else ""))
         return [words for words in made if sure.whole(words)]
+
+    def _agreed(self, alike: list[Placed], pieces: Sequence[str]) -> list[str]:
+        """Of the pieces of a sentence those that agree with all that she says of a part where she puts it; where its place does not, that."""
+        first, pattern, end = alike[0], self.built.pattern, end_of(self.built, self.spots, alike[0])
+        other = [f.span.start for f in pattern.finish if isinstance(f, Placed) and self._base(f) != self._base(first)]
+        hers = agree.claims(agree.said(pattern, first.span, other), pattern.terms)
+        wide = len(end.nodes) / np.pi if end.ring else len(end.pinched) or len(end.nodes) / 2.0
+        ours = agree.claims("; ".join(pieces), pattern.terms, True)
+        if self._against(alike) or agree.placed_otherwise(hers, ours, wide if len(alike) == 2 else 1.0):
+            return [self.own["took elsewhere"]]
+        return self._said(agree.kept(pieces, hers, pattern.terms))
 
     def _sure(self, alike: list[Placed]) -> bool:
         """Whether parts are where she says, on rounds that she numbers as we do."""
@@ -88,7 +98,6 @@ class Taken:
         return not sure.contradicts(self._sides(first), self._mean_off(alike) / count, self._lies(first.spot.part))
 
     def _sides(self, record: Placed) -> frozenset[str]:
-        """The sides of its host that her sentence of a part names."""
         return sure.sides(self.words(record), self.built.pattern)
 
     def eyes(self, eyes: Sequence[Eye]) -> str:

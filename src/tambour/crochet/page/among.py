@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -58,10 +57,8 @@ _COPIES: Final = frozenset(
         "1",
     )
 )
-_GROUP: Final = re.compile(r"[(\[]([^()\[\]]+)[)\]]\s*(?:[x×*]|times)\s*(\d+)")
-"""What is worked again, in brackets, and how often."""
-_FIRST: Final = re.compile(r"([a-z]+) (\d+)")
-"""A stitch with its number behind it."""
+_FOLDS: Final = re.compile(r"\W*(?:fold|flatten|press|pinch|squash)\b", re.IGNORECASE)
+"""How a sentence begins that closes an end and is no round: nothing is counted or ticked there."""
 _WORD: Final = re.compile(r"[^\W_]+")
 
 
@@ -197,7 +194,7 @@ def _by_parts(book: Book, mine: list[int]) -> list[str]:
 
 
 def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
-    """The rows of a part, ours of plain stretches and hers of all others, each with its place in her text, -1 for none."""
+    """The rows of a part in her words, those that she writes under another part in ours, each with its place in her text, -1 for none."""
     assert book.hers is not None
     text = book.piece.built.pattern.text.text
     many = len({hue for one in book.said.blocks for row in one.lines for hue in row.colors}) > 1
@@ -226,7 +223,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
             continue  # stands where she has it, below another part: "WALLS, part two"
         if _after_all(book, stretch):
             continue
-        if stretch.plain and any(one.label for one in mine) and not (place >= 0 and _grouped(stretch.words, mine)):
+        if stretch.plain and place < 0 and any(one.label for one in mine):
             alone = row.span is not None and _HEAD_ALONE.fullmatch(text[row.span.start : row.span.end])
             behind = row.span is not None and row.span.start >= stretch.span.end  # a sentence of hers says it
             if row.label or not (alone or noted(row) or behind):
@@ -247,7 +244,7 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
             continue
         theirs = [row for one in book.said.parts for row in one.lines if row.label and _at(book, row.span) == k]
         if stretch.plain and theirs:
-            for row in theirs:
+            for row in _in_her_words(book, stretch, theirs):
                 _insert(rows, row, at)
             continue
         if (same := _same(stretch)) not in printed:  # the second leg is written as the first
@@ -256,31 +253,20 @@ def _worked(book: Book, block: PartText) -> Iterator[tuple[Row, int]]:
     return iter(rows)
 
 
-def _grouped(words: str, rows: list[Row]) -> bool:
-    """Whether brackets of hers stand otherwise in our words of the same stitches: what is worked again begins elsewhere, "12 sc, (4 sc,
-    dec) x 4" is "16 sc, [dec, 4 sc] x 3, dec"."""
-    ours = " ".join(row.words.lower() for row in rows)
-    known = {*_WORD.findall(ours)}
-    groups = Counter[str]()
-    for m in _GROUP.finditer(words.lower()):
-        said = ", ".join(_FIRST.sub(r"\2 \1", piece.strip()).removeprefix("1 ") for piece in m[1].split(","))
-        groups[f"[{said}] x {m[2]}"] += {*_WORD.findall(said)} <= known
-    return any(ours.count(group) < many for group, many in groups.items())
-
-
 def _in_her_words(book: Book, stretch: Stretch, rows: list[Row]) -> list[Row]:
     """A stretch as she wrote it, with the numbers and the count of its rounds."""
     text = stretch.words
     colors = tuple(dict.fromkeys(hue for row in rows for hue in row.colors))
     labelled = [row for row in rows if row.label]
-    if not labelled:
+    if not labelled or (_FOLDS.match(text) and len(labelled) == 1):
         words = cleaned(text, book.piece.built.pattern.text.text)
         return [Row("", words[:1].upper() + words[1:], colors=colors, span=stretch.span, hers=True)]
     first, last = labelled[0], labelled[-1]
     stated = any(line.stated is not None for line in stretch.lines)
     drawn = not any(line.gap for line in stretch.lines)
-    words, count = her_round(text, bool(first.number), last.count), last.count
-    if not stated and not drawn and words == her_round(text, bool(first.number), 0):
+    many = sum(row.times for row in labelled) if first.number else 0
+    words, count = her_round(text, many, last.count), last.count
+    if not stated and not drawn and words == her_round(text, many, 0):
         count = 0  # ours alone, and not drawn as she says
     if not last.doubt and _says_other(words, count, book.code):
         count = 0

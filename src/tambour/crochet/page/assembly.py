@@ -24,6 +24,7 @@ from tambour.crochet.page.flow import Atom, Chunk, plan
 from tambour.crochet.page.pictures import Step, from_side, lies, of_step, steps
 from tambour.crochet.page.placement import placement
 from tambour.crochet.page.type import BODY, HEAD, LEAD, SMALL, SOFT
+from tambour.crochet.page.undrawn import undrawn
 from tambour.render.page import Page
 
 DOTS = 7.6
@@ -92,9 +93,10 @@ def _not_drawn(book: Book, beside: set[int]) -> list[Chunk]:
     built = book.piece.built
     made = [k for k in sorted(beside) if built.graph.parts[k].end - built.graph.parts[k].start > 2]
     names = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in made)
-    if book.hers is None or not any(names):
+    told = [*(book.called(name) for name in names if name), *(f"“{words}”" for words in undrawn(book))]
+    if book.hers is None or not told:
         return []
-    said = book.called(book.own["not drawn"].format(parts=", ".join(name for name in names if name)))
+    said = book.own["not drawn"].format(parts="; ".join(told))
     return [Chunk(paragraph(f"› {said}", book.frame.width))]
 
 
@@ -333,7 +335,7 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
             book.hers.closing[:] = [words for words in book.hers.closing if words not in mine]
             made[i] = mine
         if not made[i]:
-            made[i] = [*map(book.called, book.spoken(records))]
+            made[i] = [book.marked(book.called(words)) for words in book.spoken(records)]
     if book.hers is not None:  # of parts that are in no picture
         seen = {built.parts[k].section for step in found for k in step.fresh}
         left = (one for k, said in book.hers.about.items() if k not in seen for one in said)

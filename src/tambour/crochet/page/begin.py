@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from math import ceil
 from typing import Final
@@ -13,7 +14,7 @@ from tambour.crochet.language.finishes import Embroidery, Finish, Placed
 from tambour.crochet.maker.materials import TAIL, materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.answered import says_middle
-from tambour.crochet.page.book import OWN, Book, cropped, short, size_lines, weight_name, yarn_name
+from tambour.crochet.page.book import OURS, OWN, Book, cropped, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.care import care
 from tambour.crochet.page.cleaned import heads
 from tambour.crochet.page.flow import Atom, Chunk, flow, plan, together
@@ -21,23 +22,6 @@ from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, wi
 from tambour.crochet.page.written import sections
 from tambour.render.page import Page
 
-_USUAL: Final = {
-    "FO": "fasten off",
-    "sl st": "slip stitch",
-    "Sl st": "slip stitch",
-    "sts": "stitches",
-    "st": "stitch",
-    "Rnd": "round",
-    "rnd": "round",
-    "R": "round",
-    "inv dec": "invisible decrease: through the front loops of two stitches together",
-    "RS": "right side",
-    "WS": "wrong side",
-    "tog": "together",
-    "w/": "with",
-    "join": "slip stitch in the first stitch of the round",
-}
-"""What designers write in English sentences without explaining it."""
 _LISTED: Final = {
     "needle": re.compile(r"\bneedle"),
     "ends": re.compile(r"\bneedle"),
@@ -46,8 +30,10 @@ _LISTED: Final = {
 }
 """What of the small things a designer's own list holds."""
 _SPIRAL: Final = re.compile(r"\bspiral|\bcontinuous rounds|\b(?:do not|don.t) join", re.IGNORECASE)
-_CHANGING: Final = re.compile(r"\bto chang(?:e|ing) colou?r|\bwhen changing colou?r", re.IGNORECASE)
-_INVISIBLE: Final = re.compile(r"\binv(?:isible|is|\.)?[ -]?dec(?:rease)?", re.IGNORECASE)
+_CHANGING: Final = re.compile(
+    r"\b(?:to|when) chang(?:e|ing) colou?r|\bchange (?:the )?colou?rs? (?:on|in|with|at)\b|\bcolou?r changes?\s*:",
+    re.IGNORECASE,
+)
 _COUNTED: Final = re.compile(
     r"\b(?:pairs?|one|two|three|four|six|[1-9]\d?(?!\s*-?\s*mm))\b(?!\s*-?\s*mm)[^.;\n]{0,25}\beyes?\b"
 )
@@ -58,10 +44,6 @@ _FILLED: Final = re.compile(
 )
 """How much she says is stuffed."""
 _HOWS: Final = ("french knot", "satin stitch", "backstitch", "whipstitch")
-_JOINS: Final = re.compile(
-    r"(?<!not )(?<!n't )(?<!n’t )\bjoin\b(?=\s*(?:[.,;)(]|$)|\s+with (?:a )?(?:sl|slip) )", re.IGNORECASE
-)
-"""How a line says that its round is joined, and no part to another."""
 _BETWEEN: Final = re.compile(r"\b(?:between|betw?\.|zwischen|entre|tussen)", re.IGNORECASE)
 _CLOSES: Final = re.compile(
     r"\bclos(?:e|ed|ing)\b(?: up)? (?:the |up )?(?:hole|opening|top|end|piece|remaining)\b|^close\b"
@@ -131,8 +113,8 @@ def pair(left: str, right: str, width: float, share: float = 0.45, bold: bool = 
     return Atom(tall, draw)
 
 
-def begin(book: Book) -> None:
-    """Set what comes before the first round."""
+def begin(book: Book, listed: Sequence[tuple[str, str]]) -> None:
+    """Set what comes before the first round; ``listed``: the abbreviations and what they mean."""
     width = book.frame.width
     word, own = book.said.terms.word, book.own
     chunks: list[Chunk] = []
@@ -147,29 +129,36 @@ def begin(book: Book) -> None:
     for at, picture in book.photos[1:]:
         if at < min(starts, default=0):
             chunks.append(Chunk([photo(cropped(picture, width / OWN), width, OWN)], book.title))
+    if book.hers is not None:
+        chunks.append(Chunk(paragraph(f"{OURS}= {own['ours sign']}.", width, SMALL), book.title))
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
 
     rows = paragraph(book.sized, width, bold=True) if book.sized else []
     # What she says is on the cover, and is what a buyer holds her to: ours beside it would be a second size.
-    rows += [] if book.sized else [pair(what, much, width) for what, much in size_lines(book, size)]
+    rows += [] if book.sized else [pair(book.marked(what), much, width) for what, much in size_lines(book, size)]
     if size.how in own and not book.sized:
-        rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
+        rows += paragraph(book.marked(own[size.how]), width, SMALL, SOFT, 1.0)
     chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
     measured = len(chunks)
-    said = [pair(word_, meaning, width, 0.26) for word_, meaning in _merged(book)]
+    said = [
+        atom
+        for word_, meaning in listed
+        for atom in ([pair(word_, meaning, width, 0.26)] if word_ else paragraph(meaning, width))
+    ]
     if said:
         name = word("abbreviations")
         chunks += together(heading(book, name, width, book.said.named), said, name)
-    explained = (*_ring(book), *book.said.special, *_hows(book), *_closing(book))
+    hows = [(book.marked(word_), meaning) for word_, meaning in (*_hows(book), *_closing(book))]
+    explained = (*((book.marked(word_), meaning) for word_, meaning in _ring(book)), *book.said.special, *hows)
     special = [pair(said, meaning, width, 0.3) for said, meaning in explained]
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
-    notes = paragraph(own["notes text"], width)
+    notes = paragraph(book.marked(own["notes text" if book.hers is None else "notes hers"]), width)
     pattern = book.piece.built.pattern
     for key in _ways(book):
-        notes += paragraph(own[key], width, space=1.4)
+        notes += paragraph(book.marked(own[key]), width, space=1.4)
     if pattern.finish:
         lying = any(part.lies for part in pattern.parts)
         hers = [*book.hers.sentences, *book.hers.intro] if book.hers is not None else []
@@ -178,12 +167,10 @@ def begin(book: Book) -> None:
             said_.append(own["apart below" if lying else "apart text"])
         if book.hers is not None and any(_between(book, record) for record in pattern.finish):
             said_.append(own["between text"])
-        notes += paragraph(" ".join(said_), width, space=1.4) if said_ else []
+        notes += paragraph(book.marked(" ".join(said_)), width, space=1.4) if said_ else []
     if any(isinstance(record, Placed) for record in pattern.finish):
-        notes += paragraph(_tails(book), width, space=1.4)
-        notes += paragraph(own["new"], width, space=1.4)
-        if book.hers is not None:
-            notes += paragraph(f"› = {own['ours sign']}.", width, space=1.4)
+        notes += paragraph(book.marked(_tails(book)), width, space=1.4)
+        notes += paragraph(book.marked(own["new"]), width, space=1.4)
     chunks += together(heading(book, own["notes"], width), notes, own["notes"])
     cared = [
         *chunks[:measured],
@@ -198,8 +185,12 @@ def begin(book: Book) -> None:
 
 def _care(book: Book, width: float) -> list[Atom]:
     """How the piece is washed, in a column."""
-    told = [atom for k, words in enumerate(care(book)) for atom in paragraph(words, width, space=1.4 if k else 0.0)]
-    return [*told, *paragraph(book.own["made"], width, SMALL, SOFT, 1.0)]
+    told = [
+        atom
+        for k, words in enumerate(care(book))
+        for atom in paragraph(book.marked(words), width, space=1.4 if k else 0.0)
+    ]
+    return [*told, *paragraph(book.marked(book.own["made"]), width, SMALL, SOFT, 1.0)]
 
 
 def _ring(book: Book) -> list[tuple[str, str]]:
@@ -240,27 +231,12 @@ def _ways(book: Book) -> list[str]:
     for block in book.said.blocks:
         begun = [k for k, row in enumerate(block.lines) if row.label]
         # Where a line says the change alone, how it is done stands there.
-        changed = changed or any(row.colors and row.label for row in block.lines[begun[0] + 1 :]) if begun else changed
+        later = block.lines[begun[0] + 1 :] if begun else ()
+        changed = changed or any(row.colors and (row.label or book.hers is not None) for row in later)
     intro = " ".join(book.hers.intro) if book.hers is not None else ""
     spirals = spirals and not _SPIRAL.search(intro)  # she says it herself
     changed = changed and not _CHANGING.search(intro)
     return ["spiral"] * spirals + ["turning text"] * turning + ["change text"] * changed
-
-
-def _merged(book: Book) -> list[tuple[str, str]]:
-    """Abbreviations with their meanings, ours and then hers; what means the same stands together."""
-    made: dict[str, list[str]] = {}
-    invisible = _INVISIBLE.search(book.piece.built.pattern.text.text) is not None and book.code in ("us", "uk")
-    hers = book.hers.terms if book.hers is not None else {}
-    for said, meaning in (*book.said.abbreviations, *_of_hers(book)):
-        if invisible and said.lower() in ("dec", "inv dec", "invdec"):
-            meaning = book.own["invisible decrease"]
-        elif said == book.said.terms.word("dec") and said not in hers:
-            meaning = book.own["least"].format(meaning=meaning)
-        plain = next((known for known in made if known.lower() == meaning.lower()), meaning)
-        own = made.setdefault(plain, [])
-        own += [said] if said.lower() not in (other.lower() for other in own) else []
-    return [(", ".join(said), meaning) for meaning, said in made.items()]
 
 
 def _hows(book: Book) -> list[tuple[str, str]]:
@@ -297,32 +273,6 @@ def _closing(book: Book) -> list[tuple[str, str]]:
     return [(book.own["closing"], book.own["how close"])]
 
 
-def _of_hers(book: Book) -> list[tuple[str, str]]:
-    """Her abbreviations that her own sentences use and ours do not explain."""
-    if book.hers is None:
-        return []
-    ours = {word.lower() for word, _ in book.said.abbreviations}
-    steps = [words for record in book.piece.built.pattern.finish if (words := book.words_of(record))]
-    lists = [*book.hers.materials, book.said.size, book.said.gauge]
-    lists += [row.words for block in book.said.blocks for row in block.lines]  # some of them are hers
-    whole = " ".join([*book.hers.sentences, *steps, *book.hers.intro, *lists])
-    known = (
-        {said: said for said in book.hers.terms} | {said: said for said in _USUAL} if book.code in ("us", "uk") else {}
-    )
-    made = []
-    for said in known:
-        if said.startswith(("(", "[", "*")):
-            continue  # how she brackets repeats; ours are explained with the notes
-        plain = said.split("(")[0]
-        if said.endswith("s") and f"{said[:-1]}(s)" in book.hers.terms:
-            continue
-        said_so = _JOINS if plain == "join" else re.compile(rf"(?<![\w]){re.escape(plain)}(?![A-Za-z_])")
-        if plain.lower() not in ours and said_so.search(whole):
-            made.append((said, book.hers.terms.get(said) or _USUAL[said]))
-            ours.add(plain.lower())
-    return made
-
-
 def _materials(book: Book, width: float) -> list[Atom]:
     """Yarn by colour with swatches, then all that else is needed."""
     own, number = book.own, book.number
@@ -336,9 +286,9 @@ def _materials(book: Book, width: float) -> list[Atom]:
     if not said and not any(yarn_name(book).lower() in line.lower() for line in listed):
         fibre = own.get(f"of {book.piece.params.material}", "")
         named = f"{book.said.terms.word('yarn')}: {weight_name(book)}" + (f", {fibre}" if fibre else "")
-        made += paragraph(named, width, BODY, None, 1.0 if made else 0.0, True)
+        made += paragraph(book.marked(named), width, BODY, None, 1.0 if made else 0.0, True)
     if said:
-        made += paragraph(own["used"], width, SMALL, SOFT, 1.6)
+        made += paragraph(book.marked(own["used"]), width, SMALL, SOFT, 1.6)
     for yarn in found["yarn"]:
         color = unhexed(yarn["color"])
         letter, name = book.said.color(color)
@@ -364,7 +314,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
     note = own["typical" if found["weight"]["from"] == "typical" else "ball"].format(
         name=yarn_name(book), metres=number(found["weight"]["metres_100_g"], 0)
     )
-    made += paragraph(note, width, SMALL, SOFT, 0.8)
+    made += paragraph(book.marked(note), width, SMALL, SOFT, 0.8)
     other: list[tuple[str, str]] = []
     if "hook" not in book.piece.built.pattern.stated:
         other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
@@ -393,7 +343,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
     if lacking and lacking != ["scissors"]:
         other.append((own["notions"], "; ".join(own[n] for n in lacking)))
     for k, (what, much) in enumerate(other):
-        row = pair(what[:1].upper() + what[1:], much, width, 0.3)
+        row = pair(book.marked(what[:1].upper() + what[1:]), much, width, 0.3)
         made.append(Atom(row.height, row.draw, 2.0 if k == 0 else 0.0))
     return made
 
@@ -421,10 +371,10 @@ def _gauge(book: Book, width: float) -> list[Atom]:
     flat = own["swatch"].format(stitches=book.number(100.0 / known.width, 0), rows=book.number(100.0 / known.height, 0))
     across = known.circle
     circle = own["circle"].format(cm=book.number(across / 10), inch=book.number(across / 25.4))
-    made = [*paragraph(flat, width), *paragraph(circle, width, space=0.8)]
+    made = [*paragraph(book.marked(flat), width), *paragraph(book.marked(circle), width, space=0.8)]
     stated = book.piece.built.pattern.stated
     if "gauge" in stated:
         made = [*paragraph(" ".join(stated["gauge"][0].split()), width, bold=True), *made]
     if "gauge" not in known.told:
-        made += paragraph(own["expected"], width, space=0.8)
-    return [*made, *paragraph(own["tight"], width, SMALL, SOFT, 1.0)]
+        made += paragraph(book.marked(own["expected"]), width, space=0.8)
+    return [*made, *paragraph(book.marked(own["tight"]), width, SMALL, SOFT, 1.0)]

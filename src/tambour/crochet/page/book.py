@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
 
 
+OURS = "› "
+"""What stands before words that are not the designer's."""
 OWN = 52.0
 """How high the designer's own photos are, mm."""
 LARGE = 1.4
@@ -168,6 +170,10 @@ class Book:
         whole = [words for words, span in self.hers.finishing if span.start < b and a < span.end]
         said = " ".join(whole) if whole else said
         return said if said.endswith((".", "!", "?", ")", ":")) else f"{said}."
+
+    def marked(self, words: str) -> str:
+        """Words of ours, marked as such where a designer's stand beside them."""
+        return words if self.hers is None or not words else OURS + words
 
     @property
     def frame(self) -> Frame:

@@ -17,6 +17,7 @@ from tambour.crochet.page.book import MARGIN, WHITE, Book, along, cropped, cut, 
 from tambour.crochet.page.care import set_care
 from tambour.crochet.page.charted import charts
 from tambour.crochet.page.flow import flow, together
+from tambour.crochet.page.glossary import glossary
 from tambour.crochet.page.parts import rounds
 from tambour.crochet.page.pictures import whole
 from tambour.crochet.page.type import COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, wrap
@@ -36,7 +37,7 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     not_empty(piece)
     book = Book(piece)
     _cover(book)
-    begin(book)
+    begin(book, glossary(book))
     again = book.own["continued"]
     worked = short(book, book.said.terms.word("instructions"))
     flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)

@@ -37,7 +37,8 @@ def care_room(book: Book) -> float:
 def _lines(book: Book) -> tuple[list[str], list[str], float]:
     """The words, the small words below them, and how high the box of both is."""
     room = book.size[0] - 2 * MARGIN - 12.0
-    text, small = wrap(" ".join(care(book)), BODY, room), wrap(book.own["made"], SMALL, room)
+    text = wrap(book.marked(" ".join(care(book))), BODY, room)
+    small = wrap(book.marked(book.own["made"]), SMALL, room)
     return text, small, 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
 
 

@@ -118,7 +118,7 @@ def charts(book: Book) -> None:
         for key, there in _READ.items()
         if there in ways or there is None
     )
-    y = sheet.paragraph(wrap(note, BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
+    y = sheet.paragraph(wrap(book.marked(note), BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, wanted, MARGIN, y, wide)
     names = {block.part: block.title if len(book.said.blocks) > 1 else "" for block in book.said.blocks}
     row: list[tuple[str, float, float, int]] = []

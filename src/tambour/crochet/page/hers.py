@@ -55,6 +55,16 @@ _MORE_OF: Final = re.compile(
     re.IGNORECASE,
 )
 """How a sentence begins that says more of the one before it."""
+_OTHER: Final = re.compile(
+    r"(?:now|next|then|finally|last(?:ly)?|first|after (?:that|this|all)|when all|weave|hide|sew in|cut|trim|done|that.s|enjoy|finish|your|you)\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that is of something else than the one before it, though it names nothing."""
+_FACE: Final = re.compile(
+    r"\b(?:embroider\w*|eyes?|nose|mouth|smile|cheeks?|whiskers?|brows?|eyebrows|lashes|ends|all (?:the )?(?:parts|pieces))\b",
+    re.IGNORECASE,
+)
+"""What is of no part that was sewn on before."""
 _POINT: Final = re.compile(r"\s*(?:\d{1,2}\s*[.):]|[*•–-]|(?:[^\W\d]+ ){0,3}[^\W\d]+:)\s")
 """How a line begins that is a point of a list, or headed by what it is about: "3. Fins: …"."""
 _MOSTLY: Final = 0.8
@@ -267,6 +277,7 @@ class _Steps:
                 continue
             named = self.topics(words)
             more = alone or (before is None and about >= 0) or _MORE_OF.match(words) is not None
+            more = more or (before is not None and _OTHER.match(words) is None and _FACE.search(words) is None)
             same = named == about if named >= 0 else more
             before = before if same else None
             about = named if named >= 0 else about if same else -1

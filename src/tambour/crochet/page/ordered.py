@@ -268,12 +268,18 @@ def _begins_ring(done: list[str]) -> bool:
     return any(name == "mr" or name.startswith("MR") for name in done)
 
 
-def her_round(words: str, number: bool, count: int) -> str:
-    """Her words of a round, without its number and its count, which stand beside it."""
+def her_round(words: str, number: int, count: int) -> str:
+    """Her words of a round, or of several (``number``, 0 of none), without their numbers and their count, which stand beside them.
+
+    >>> her_round("Round 1 - 6 sc in ring - 6", 1, 6), her_round("Rounds 4 - 6 - sc around - 18", 3, 18)
+    ('6 sc in ring', 'sc around')
+    """
     if number:
-        named = r"(?:rounds?|rnds?|rows?|rds?|r|rang|rangs|runden?|rd|reihen?|vueltas?|toer(?:en)?)\.?\s*"
+        named = r"(?:rounds?|rnds?|rows?|lines?|rds?|r|rang|rangs|runden?|rd|reihen?|vueltas?|toer(?:en)?)\.?\s*"
         alt = r"(?:\s*(?:and|&)\s+(?:every\s+)?alt\w*(?:\s+foll\w*)?)?\s*"
-        many = rf"\d+(?:st|nd|rd|th|e|ª)?(?:{_JOINT}(?:{named})?\d+(?:st|nd|rd|th|e|ª)?(?![\w]))*"
+        many = r"\d+(?:st|nd|rd|th|e|ª)?"
+        # Of one round a number behind a dash is of its stitches.
+        many += rf"(?:{_JOINT}(?:{named})?\d+(?:st|nd|rd|th|e|ª)?(?![\w]))*" if number > 1 else ""
         head = rf"^\s*(?:[•–-]\s*|\*\s+)?(?P<sign>\**)(?:{named}{many}\s*[.:=)\]–—-]*|{many}{alt}{named}[.:=)–—-]*|{many}\s*[.:)]+)\s*"
         words = re.sub(head, lambda m: m["sign"] if len(m["sign"]) > 1 else "", words, count=1, flags=re.IGNORECASE)
         words = re.sub(

@@ -14,7 +14,7 @@ from tambour.crochet.page.among import noted, with_hers
 from tambour.crochet.page.answered import says_way
 from tambour.crochet.page.assembly import DOTS
 from tambour.crochet.page.begin import heading, photo
-from tambour.crochet.page.book import OWN, Book, cropped
+from tambour.crochet.page.book import OURS, OWN, Book, cropped
 from tambour.crochet.page.cleaned import heads
 from tambour.crochet.page.flow import Atom, Chunk, plan, together
 from tambour.crochet.page.middle import marked
@@ -27,14 +27,14 @@ _THUMBS = (30.0, 25.0, 21.0)
 """How high pictures of a part are, mm: as high as costs no page."""
 _SOME, _UPRIGHT = 6, 0.8
 """Rounds of a part that others are put on, or more; and how upright it is, as a cosine."""
-_SAYS_COLOR = 4
-"""A sentence of hers of so few words that changes the colour says nothing else."""
 _WHOLE = 0.8
 """A part that takes no more than this of a column is not broken."""
+_HOLDS = 1000.0
+"""What holds less than this, in cubic millimetres, is nothing that is stuffed: a curl."""
 _TICK, _NEXT, _FIVE = 2.5, 3.2, 1.0
 """A box to tick, from one to the next, and the gap after five, mm."""
 _STUFFS = re.compile(
-    r"\bstuff(?!ing\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill(?:er|ing|ed)?\b|\b(?:no|without) stuffing|\bunstuffed\b"
+    r"\bstuff(?!ing\b)|\bstuffing (?=the\b|it\b|them\b|each\b|before\b|as\b)|\b(?:start|begin|go on|continue|keep|keep on)\w* stuffing|\b(?:add|insert|put|push|fill)\w*\b[^.]{0,30}\bstuffing|\bfill(?:er|ing|ed)?\b|\b(?:no|without) stuffing|\bunstuffed\b"
 )
 """How a designer says that something is stuffed; "weigh your stuffing" does not."""
 
@@ -132,7 +132,8 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
     changes = [color for color in row.colors if color in book.used]
     if not row.label:
         size, bold = SMALL if row.ours else BODY, row.hers and heads(row.words)
-        lines = wrap(row.words, size, width - (7.0 if changes else 0.0), bold)
+        said = OURS + row.words if row.ours else row.words
+        lines = wrap(said, size, width - (7.0 if changes else 0.0), bold)
         ink = SOFT if row.ours else book.accent if bold else INK
 
         def alone(sheet: Page, x: float, y: float) -> None:
@@ -171,9 +172,7 @@ def _explained(book: Book, block: PartText, rows: list[Row]) -> list[Row]:
     chain = _first_chain(book, block)
     for row in rows:
         words = row.words.strip("*") if noted(row) else row.words  # set in italics elsewhere
-        if row.hers and heads(row.words):
-            pass
-        elif row.hers and not (row.colors and not row.label and len(words.split()) <= _SAYS_COLOR):
+        if row.hers:
             pass  # in her own words
         elif not row.label and row.colors and begun:
             words = f"{own['in last loop'].format(change=words.rstrip('.:'))}."
@@ -218,6 +217,7 @@ def _stuffed(book: Book, block: PartText) -> str:
         or section.guessed
         or section.stuffing is not None
         or part.stuffing <= 0.0
+        or float(book.piece.shape.volume[block.part]) * book.piece.stitch[0] ** 3 < _HOLDS
     ):
         return ""
     text, heads_ = built.pattern.text.text, [at.start for p in built.pattern.parts for at in (p.span, *p.also)]

@@ -54,6 +54,8 @@ _HIGH: Final = 38.0
 """How high a chart is at the most, mm."""
 _LEAST: Final = (4, 18)
 """A part of fewer rounds, or of fewer stitches in the longest, needs no chart: there is little to count."""
+_SMALL: Final = 30
+"""A part with fewer stitches in its longest round is small."""
 _EVEN: Final = 3
 """How often stitches are moved between their neighbours."""
 _CUTS: Final = 3
@@ -88,7 +90,9 @@ def placement(book: Book) -> list[Chunk]:
     for record in built.pattern.finish:
         host = spots.parts.get(record.spot.part, -1) if isinstance(record, Placed) else -1
         counts = [r.count for r in built.rounds if r.part == host and not r.aside]
-        if host in done or spots.in_rows[host] or len(counts) < _LEAST[0] or max(counts) < _LEAST[1]:
+        if host in done or _like_another(book, spots, host, done) or _by_eye(book, spots, host, max(counts, default=0)):
+            continue
+        if spots.in_rows[host] or len(counts) < _LEAST[0] or max(counts) < _LEAST[1]:
             continue
         done.add(host)
         normals = vertex_normals(x, spots.faces(host))
@@ -100,8 +104,22 @@ def placement(book: Book) -> list[Chunk]:
             made += [_chart(book, spots, host, side, marks, normals) for side in sides]
     if made:
         said = dict.fromkeys([book.own["placement"], *dashed])
-        made[0].atoms[:0] = paragraph(" ".join(said), book.frame.width, BODY)
+        made[0].atoms[:0] = paragraph(book.marked(" ".join(said)), book.frame.width, BODY)
     return made
+
+
+def _like_another(book: Book, spots: Spots, host: int, done: set[int]) -> bool:
+    """Whether a part is a copy of one that has its chart: the second thigh."""
+    parts = spots.built.parts
+    return any(parts[k].section == parts[host].section for k in done)
+
+
+def _by_eye(book: Book, spots: Spots, host: int, most: int) -> bool:
+    """Whether on a small part that is sewn on itself her sentences count nothing: a chart of it would be a blob."""
+    placed = [r for r in spots.built.pattern.finish if isinstance(r, Placed)]
+    if book.hers is None or most >= _SMALL or not any(spots.parts.get(r.part) == host for r in placed):
+        return False
+    return not any(book.taken.rounds(r) for r in placed if spots.parts.get(r.spot.part) == host)
 
 
 def _marks(book: Book, spots: Spots, host: int, normals: Array) -> list[_Mark]:

@@ -10,6 +10,7 @@ from tambour.crochet.page.among import noted, notes_at, with_hers
 from tambour.crochet.page.answered import meet
 from tambour.crochet.page.assembly import guesses
 from tambour.crochet.page.book import Book
+from tambour.crochet.page.glossary import explained
 from tambour.crochet.page.hers import Hers
 from tambour.crochet.page.ordered import names_in
 from tambour.crochet.page.wording import PartText, Words
@@ -95,19 +96,10 @@ def _sign(book: Book, parts: tuple[PartText, ...], finish: list[str]) -> list[tu
     return [("›", book.own["ours sign"])] if ours else []
 
 
-def _explained(line: str) -> set[str]:
-    """The abbreviations that a line of hers explains: "Rnd(s) = Round(s)", "Sc2(3)tog = …", "inc (increase) = …"."""
-    head = re.split(r"\s*[=:–—]|\s-\s", line, maxsplit=1)[0].lower()
-    many = re.sub(r"(\w)\((\w{1,3})\)", r"\1\2", head)  # "rnds", "sc23tog"
-    other = re.sub(r"\d\((\d)\)", r"\1", head)  # "sc3tog"
-    alone = re.sub(r"\s*\([^)]*\)", "", head)
-    return {word.strip() for said in (head, many, other, alone) for word in re.split(r",|\bor\b|/", said)}
-
-
 def _ours(book: Book, parts: tuple[PartText, ...]) -> list[tuple[str, str]]:
     """The abbreviations of our words that stand in the text, of which her lists say nothing."""
     assert book.hers is not None
-    hers = {said.lower() for said in book.hers.terms} | {said for line in book.hers.listed for said in _explained(line)}
+    hers = {said.lower() for said in book.hers.terms} | {said for line in book.hers.listed for said in explained(line)}
     text = " ".join(f"{row.label} {row.words}" for part in parts for row in part.lines)
     return [
         (said, meaning)
