@@ -277,7 +277,9 @@ class _Steps:
                 continue
             named = self.topics(words)
             more = alone or (before is None and about >= 0) or _MORE_OF.match(words) is not None
-            more = more or (before is not None and _OTHER.match(words) is None and _FACE.search(words) is None)
+            more = more or (
+                before is not None and not (_OTHER.match(words) or _FACE.search(words) or self.topics.names(words))
+            )
             same = named == about if named >= 0 else more
             before = before if same else None
             about = named if named >= 0 else about if same else -1

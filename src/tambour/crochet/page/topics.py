@@ -36,6 +36,10 @@ class Topics:
         self.roots = {section(r.spot.part) for r in placed} - {section(r.part) for r in placed}
         """What others are sewn to, and is sewn to nothing: no step is of it."""
 
+    def names(self, words: str) -> bool:
+        """Whether a sentence names any part, wherever."""
+        return bool(mentions(english(words, self.terms).text.lower(), self.parts))
+
     def __call__(self, words: str) -> int:
         """The place among the pattern's parts of that which is named before anything is said of a place: "Belly: lay the oval along
         …", "Let the vine start in the grass"; -1 where none is by its own name: what "can be hand washed" is no fin."""
