@@ -284,3 +284,20 @@ def test_two_pairs_without_rounds_are_no_places() -> None:
         len([r for r in pattern(_DOG.format(how=how)).finish if isinstance(r, Placed) and r.part.startswith("LEGS")])
         == 4
     )
+
+
+def test_stitches_between_inner_corners_are_counted_in_their_round() -> None:
+    words = _CAT.replace(
+        "TAIL (ginger)",
+        "EARS (make 2, ginger)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3-4: sc in each st (12)\n\nTAIL (ginger)",
+    )
+    found = pattern(
+        words.format(
+            how="Sew the ears to the head from Rnd 2 (inner corner) to Rnd 6 (outer corner), 4 sts between the inner corners."
+        )
+    )
+    one, other = [r for r in found.finish if isinstance(r, Placed) and r.part.startswith("EARS")]
+    assert one.spot.round == 4.0
+    assert abs((one.spot.stitch or 0.0) - (other.spot.stitch or 0.0)) == pytest.approx(
+        5 * 24 / 12
+    )  # rounds of 24 and of 12

@@ -25,6 +25,8 @@ _FROM_DOOR: Final = re.compile(
     r"\bstitches between (?:(?:the|its) )?(?:edge of (?:the )?)?(?:frame|door)(?: of (?:the )?door)? and (?:(?:the|each|both|every) )*windows?\b"
 )
 """What is left free between a door and the windows on both sides of it."""
+_CORNERS: Final = re.compile(r"\bbetween (?:the |their |both )*(?:two )?inner (?:corners|edges|points)\b")
+"""Where stitches between two ears are counted: in the round where they begin."""
 _SPIRAL: Final = 1.0
 """Rounds that spiral lean by no more than one from side to side: limbs that are so far apart are as high as each other."""
 
@@ -68,6 +70,10 @@ class Pairer(Jointer):
                 )  # from its frame to the one and to the other
             off = 0.5 * apart + (0.0 if upright else wide)
             low_end = min(put.where.rounds[:2]) if put.where.rounds is not None else 0.0
+            if put.kind == "ear" and upright and _CORNERS.search(put.where.text):
+                off *= count / max(
+                    host.count(low_end), 1
+                )  # counted in the round of their inner corners, which has fewer
             if put.kind == "ear" and upright and abs(apart - 2.0 * low_end) <= _OVER_TOP and "top" in put.where.words:
                 off = 0.25 * count  # counted over the crown, from the round where the one begins to that of the other
             if put.where.rounds is None and (wider := self._wider(host, a.round, _ROOM * off)) is not None:
