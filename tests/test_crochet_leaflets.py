@@ -358,3 +358,46 @@ def test_eyes_in_inches(words: str, mm: float) -> None:
         f"MOLE\n\nMATERIALS\nCream worsted yarn\n{words}\n\nINSTRUCTIONS\n\nHEAD\n{BALL}\nPlace the eyes between rounds 3 and 4, 4 stitches apart.\n"
     )
     assert [e.size for e in found.finish if isinstance(e, Eye)] == [pytest.approx(mm)] * 2
+
+
+def test_a_heading_is_numbered_before_a_rule() -> None:
+    found = pattern(
+        f"MOLE\n\n1 | TORSO (red)\n{BALL}\n2 | DOOR (brown, in rows from the threshold up, ch 1 and turn each row)\nCh 9\nRow 1: 8 sc from 2nd ch (8)\nRows 2-3: 8 sc (8)\n"
+    )
+    assert names(found) == ["TORSO", "DOOR"] and not unread(found)
+    assert counts(found)[1][-3:] == [8, 8, 8]
+
+
+def test_a_part_with_its_yarn_and_where_it_begins_behind_its_name() -> None:
+    found = pattern(
+        f"MOLE\n\nTORSO\n{BALL}\nCarrot – with orange, from the tip:\nR1: 4 sc in MR (4)\nR2: (1 sc, inc) x2 (6)\n"
+    )
+    assert names(found) == ["TORSO", "Carrot"] and not unread(found)
+    built = build(found)
+    assert tuple(built.graph.color[-1].tolist()) != tuple(built.graph.color[0].tolist())
+
+
+def test_a_habit_of_writing_is_doubted_once() -> None:
+    found = pattern(
+        "MOLE\n\nTORSO\n1) 6 sc in MR = 6\n2) inc (6 times) = 12\n3) sc 1, inc (6 times) = 18\n4) sc 2, inc (6 times) = 24\n5) sc 2, dec (6 times) = 18 Fill.\n"
+    )
+    assert sum("how often is read" in w for w in told(found)) == 1
+    assert counts(found)[0] == [6, 12, 18, 24, 18]
+
+
+def test_a_count_of_stitches_and_chains() -> None:
+    found = pattern(
+        "MOLE\n\nSWEATER, in rows\nCh 21.\nRow 1: sc in 2nd ch from hook and in each ch across [20]\nRow 2: sc in next 4 sts, ch 3, skip 4 sts, sc in next 4 sts, ch 3, skip 4 sts, sc in next 4 sts [12 sc and 6 ch]\nRow 3: sc in all sts and ch [18]\n"
+    )
+    assert not unread(found)
+    assert counts(found)[0][-1] == 18
+
+
+def test_the_yarn_that_was_before_is_taken_up_again() -> None:
+    found = pattern(
+        "MOLE\n\nTORSO (grey)\nR1: 6 sc in MR (6)\nChange to blue.\nR2-3: 6 sc (6)\nBack to grey for her bottom.\nR4-5: 6 sc (6)\n"
+    )
+    assert not unread(found)
+    built = build(found)
+    hues = [tuple(built.graph.color[r.last].tolist()) for r in built.rounds]
+    assert hues[0] == hues[3] == hues[4] != hues[1] == hues[2]

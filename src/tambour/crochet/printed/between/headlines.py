@@ -264,11 +264,12 @@ def dyed_lead(p: State, tokens: list[Token]) -> int:
     """Where the yarn ends that a part's first sentence begins with, "Oatmeal, starting at the nose", "Begin in black, at the crown", and that is put
     before its rounds; 0 where none does."""
     led = 2 if len(tokens) > 2 and tokens[0].value == "begin" and tokens[1].value in ("in", "with") else 0
+    led = led or int(len(tokens) > 1 and tokens[0].value in ("in", "with") and p.heading is not None)
     hue = p.palette.color(Cursor(tokens, led)) if p.heading is not None and p.mode == "" else None
     end = led + hue[1] if hue is not None else len(tokens)
     if hue is None or len(tokens) < end + 2 or tokens[end].word != ",":
         return 0
-    if tokens[end + 1].value != "begin" and not (led and tokens[end + 1].word in ("at", "from")):
+    if (tokens[end + 1].value != "begin" or led == 1) and not (led and tokens[end + 1].word in ("at", "from")):
         return 0
     span = Span(tokens[led].start, tokens[end - 1].end)
     p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))

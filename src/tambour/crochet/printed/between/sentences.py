@@ -76,11 +76,8 @@ _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "m
 
 
 _GOES_ON: Final = ("repeat", "even", "until", "as", "same")
-
-
 _STRIPES: Final = re.compile(r"\b(?:stripes?|striping|colou?r sequence)[ \t]*[:–-][ \t]*\Z", re.IGNORECASE)
-"""What stands before the stripes of rows that are told already."""
-_NEAR: Final = 24  # characters of it
+_NEAR: Final = 24  # characters of what stands before the stripes of rows that are told already
 
 
 def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:

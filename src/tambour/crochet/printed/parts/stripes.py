@@ -19,7 +19,7 @@ from tambour.crochet.printed.yarns.colors import Palette
 _MOST: Final = 500  # rounds that are parted by their colours
 _UNIT: Final = r"(?:rnds?|rounds?|rows?|rds?)\b\.?"
 _N: Final = r"(\d{1,2}|one|two|three|four|five|six)"
-_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-Z]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more|alternat\w*|strip\w*|order|sequence)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b)[a-z]{3,12})?)"
+_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-Z]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more|alternat\w*|strip\w*|order|sequence)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b|throughout\b|until\b|till\b|alternat)[a-z]{3,12})?)"
 _HOLD: Final = r"(?:(?:in|with|of|using|each)\s+)?"
 _ITEM: Final = rf"(?:{_N}\s+{_UNIT}\s*{_HOLD}{_YARN}|{_YARN}\s*[:=–-]?\s+(?:for\s+)?{_N}\s+{_UNIT}|[Ww]ith\s+{_YARN},?\s+(?:work\s+)?{_N}\s+{_UNIT})"
 _AND: Final = r"\s*(?:[,;.&]|\band\b|\bthen\b)[\s,;]*(?:and\s+|then\s+|\*\s*)?"

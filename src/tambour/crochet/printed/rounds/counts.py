@@ -238,6 +238,9 @@ def _lists(inner: list[Token]) -> bool:
     """Whether what stands in a bracket counts kinds, chain spaces among them: "12 dc, 4 ch-2 sps"."""
     words = [t for t in inner if not (t.word in (",", "&", "/", "-") or t.value == "and")]
     spaces = any(t.kind == "key" and t.value == "space" for t in words)
+    chained = [t.kind for t in words] == ["number", "stitch"] * 2 and [words[1].value, words[3].value] == ["sc", "ch"]
+    if chained and any(t.value == "and" for t in inner):
+        return True  # "[44 sc and 6 ch]"
     plain = all(
         t.kind in ("number", "stitch") or t.value in ("space", "stitch") or t.word in ("corner", "corners")
         for t in words

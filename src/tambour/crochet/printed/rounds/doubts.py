@@ -197,7 +197,8 @@ def decided(
             body.items = whole
             judge = "round below" if body.stated is None else "count"
             said = f"how often is read of all that is said: the {judge} speaks for it"
-            source.doubt(said, "put what is repeated in brackets", whole[-1].span)
+            if judge != "count" or not any(p.message == said for p in source.problems):  # a habit is told once
+                source.doubt(said, "put what is repeated in brackets", whole[-1].span)
     if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
         for other in (body, *([read(frozenset(("stands",)))] if "stands" in body.asked else [])):
             run = run_on(other.items, edge, source.stitches)

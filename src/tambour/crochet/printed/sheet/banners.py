@@ -47,14 +47,32 @@ _BEGINS: Final = frozenset(
 _MANNERS: Final = frozenset(("rows", "rounds", "one"))  # "in one piece"
 _HOW: Final = 14  # words that say where a part begins
 _IN_ROWS: Final = re.compile(
-    r"[,;] (?:worked |crocheted |made )?in (?:rows|rounds|the round|a spiral|one piece)(?= [,;)])"
+    r"[,;] (?:(?:worked |crocheted |made )?in (?:rows|rounds|the round|a spiral|one piece)(?: from [^,;)]*)?"
+    r"|(?:ch 1|1 ch)(?: and| to)? turn(?: (?:after )?(?:each|every) row)?)(?= [,;)])"
 )
+"""What a heading says among its yarns of how its part is worked."""
+
+
+def _unnumbered(text: str, tokens: list[Token]) -> list[Token]:
+    """A heading without its number before a rule: ``4 | DOOR (brown)``."""
+    if len(tokens) < 3 or tokens[0].kind != "number" or tokens[1].word not in ("|", "│", "¦"):
+        return tokens
+    end = next((k for k in range(2, len(tokens)) if tokens[k].kind != "word"), len(tokens))
+    name = text[tokens[2].start : tokens[end - 1].end] if end > 2 else ""
+    return tokens[2:] if name.isupper() and len(name) > 2 else tokens  # no stitch: "MR"
+
+
+def _led(how: list[Token]) -> str:
+    """The word that says where a part begins, its yarn before it left out: "with orange, | from the tip"."""
+    comma = next((k for k, t in enumerate(how[: _YARN + 2]) if t.word == ","), 0)
+    dyed = comma > 1 and how[0].word in ("with", "in", "using") and comma + 1 < len(how)
+    return how[comma + 1].word if dyed else how[0].word
 
 
 def _begun(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
-    tokens = row.tokens
+    tokens = _unnumbered(text, row.tokens)
     if not any(t.kind == "word" and (t.word in _BEGINS or t.word in _MANNERS) for t in tokens[1:]):
-        return [row]
+        return [row if tokens is row.tokens else replace(row, tokens=tokens, marked=max(row.marked, 1))]
     led = 2 if tokens[0].kind == "number" and len(tokens) > 2 and tokens[1].word in (".", ")", ":", "-") else 0
     at = next((k for k in range(led + 1, len(tokens) - 1) if tokens[k].word in ("-", "--", ",", "–", "—")), 0)
     on = at
@@ -65,14 +83,16 @@ def _begun(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
     closed = bracket == len(name) or name[-1].word in (")", "]")
     called = [t for t in name[:bracket] if t.kind != "mark"]
     named = bool(called) and (
-        text[called[0].start : called[-1].end].isupper() or all(kind_of(one(t.word)) for t in called[-1:])
+        text[called[0].start : called[-1].end].isupper()
+        or kind_of(one(called[-1].word)) != ""
+        or tokens[-1].word == ":"  # "Carrot – with orange, from the tip:"
     )
     if (
         at
         and closed
         and named
         and 1 < len(how) <= _HOW
-        and (how[0].word in _BEGINS or (how[0].word == "in" and how[1].word in _MANNERS))
+        and (_led(how) in _BEGINS or (how[0].word == "in" and how[1].word in _MANNERS))
         and _title(text, name, vocabulary)
         and not any(t.kind in ("stitch", "number") for t in vocabulary.read(how))
     ):
@@ -81,11 +101,12 @@ def _begun(text: str, row: Row, vocabulary: Vocabulary) -> list[Row]:
             Row(how, how[0].start, row.end),
         ]
     bracket = next((k for k, t in enumerate(tokens) if k and t.word == "("), 0)
-    if bracket and tokens[-1].word == ")" and (said := _IN_ROWS.search(" ".join(t.word for t in tokens))):
-        at = len(" ".join(t.word for t in tokens)[: said.start()].split())
-        tokens = [*tokens[:at], *tokens[at + len(said[0].split()) :]]
-        return [replace(row, tokens=tokens)]
-    return [row]
+    shut = next((k for k in range(bracket, len(tokens)) if tokens[k].word == ")"), 0)
+    headed = bracket and (shut == len(tokens) - 1 or (shut and tokens[shut + 1].word == "."))
+    while headed and (said := _IN_ROWS.search(words := " ".join(t.word for t in tokens[: shut + 1]))):
+        at, many = len(words[: said.start()].split()), len(said[0].split())
+        tokens, shut = [*tokens[:at], *tokens[at + many :]], shut - many
+    return [row if tokens is row.tokens else replace(row, tokens=tokens)]
 
 
 _YARN: Final = 3  # words of a yarn's name

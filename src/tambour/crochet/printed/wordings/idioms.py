@@ -62,6 +62,11 @@ _IDIOMS: Final = tuple(
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
         # pages of today
+        (r"= (\d+) (close|fill|stuff|cut|fasten off|finish off|fold)(?= [.a-z]| ?$)", "= {1} . {2}"),
+        (r", (?:and |then )?(?:work|working|crochet) (?:all )?around (?:both sides of )?(?:the )?(?:chain|ch)(?: \( oval \))?(?= [:.]| ?$)", ""),
+        (r"(?:along|on|in|across) (?:the )?(?:lower|bottom|second|under) side(?: of (?:the )?(?:chain|ch))?(?= [,:]| (?:sc|dc|hdc|inc|\d))", "on the other side of the chain"),
+        (r"\* (inc|dec) \* (twice|\w+ times)", "{1} {2}"),
+        (r"^(?:and |then |now )?back to (?:the )?([a-z]+)(?: yarn| again)? for (?:his|her|its|the) [a-z]+(?= \.| ?$)", "change to {1}"),
         (r"turn with (?:a )?(?:ch|chain) (1|2|3|one|two|three)(?= [.;,]| ?$)", "ch {1} , turn"),
         (rf"({_KIND}) in (?:the )?(2nd|second|3rd|third) (?:ch|chain)(?: from (?:the )?hook)? and (?:across|to (?:the )?end)", "{1} in {2} ch from hook and in each ch across"),
         (r"(?:hold|turn|keep|flip)(?:ing)? (?:the |your )?[a-z]+(?: head)? (?:upside down|head down)(?: ,)?(?: and)?(?: then)?(?= (?:join|attach|insert))", ""),
