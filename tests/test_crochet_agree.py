@@ -65,3 +65,15 @@ def test_what_agrees_with_her_or_adds_to_her_stays(hers: str, ours: str, wide: f
 def test_of_several_pieces_those_that_agree_are_kept() -> None:
     pieces = ["at round 22", "pointing forwards, slightly outwards"]
     assert kept(pieces, claims("The legs hang from round 22 and stand on the table.", "us"), "us") == ["at round 22"]
+
+
+def test_seams_and_advice_are_nothing_that_a_picture_lacks() -> None:
+    from tambour.crochet.page.undrawn import _DECOR, _NONE
+
+    for words in (
+        "Sew all round with small stitches",
+        "embroider them instead for babies",
+        "just inside the gray edging",
+    ):
+        assert _DECOR.search(_NONE.sub("", words)) is None
+    assert _DECOR.search(_NONE.sub("", "Some long brown stitches make planks")) is not None

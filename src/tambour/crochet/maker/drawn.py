@@ -13,6 +13,7 @@ from tambour.crochet.finish.features import placed
 from tambour.crochet.finish.motif import CURVED, SATIN, UPRIGHT, extent
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import Embroidery
+from tambour.crochet.maker.agree import claims, placed_otherwise
 from tambour.crochet.maker.sure import hers_too, of_stitches, of_two
 
 if TYPE_CHECKING:
@@ -48,7 +49,13 @@ _FACES: Final = (
 
 
 def sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
-    """The pieces of the sentence of what is embroidered of one kind on one part."""
+    """The pieces of the sentence of what is embroidered of one kind on one part, those whose rounds and sides agree with hers."""
+    code = taken.built.pattern.terms
+    hers = claims(taken.words(alike[0]), code)
+    return [one for one in _sized(taken, alike) if one and not placed_otherwise(hers, claims(one, code, True))]
+
+
+def _sized(taken: Taken, alike: list[Embroidery]) -> list[str]:
     own, first = taken.own, alike[0]
     if of_stitches(taken.words(first).lower()):
         return []  # she says how it is made

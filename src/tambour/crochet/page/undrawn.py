@@ -15,7 +15,7 @@ from tambour.crochet.words.gloss import english
 
 _DECOR: Final = re.compile(
     r"\b(?:embroider\w*|french knots?|cross(?:es)?|knobs?|planks?|edging|veins?|grooves?|stripes? (?:on|across|over)|bands? (?:on|across|over)"
-    r"|whiskers?|nostrils?|mouth|smile|eyebrows?|brows|(?:eye)?lashes|cheeks|blush|freckles|(?:long|short|straight|small|tiny|little)(?: \w+){0,2} (?:stitch(?:es)?|lines?))\b",
+    r"|whiskers?|nostrils?|mouth|smile|eyebrows?|brows|(?:eye)?lashes|blush|freckles|(?:long|short|straight|small|tiny|little)(?: \w+){0,2} (?:stitch(?:es)?|lines?))\b",
     re.IGNORECASE,
 )
 """What is put on by needle and thread when a part is made."""
@@ -28,7 +28,7 @@ _POSE: Final = re.compile(
 )
 """How a part is held in another way than it was sewn on."""
 _NONE: Final = re.compile(
-    r"\b(?:no|inside|behind|outside|above|below|under|beside|without) (?:the |any )?(?:\w+ )?(?:edging|smile|mouth|cheeks|cross)\b",
+    r"\b(?:no|inside|behind|outside|above|below|under|beside|without|around) (?:the |any )?(?:\w+ )?(?:edging|smile|mouth|cheeks|cross)\b|\bwith (?:small|tiny|little|short|neat) stitch\w*|\bembroider\b[^.]*\binstead\b",
     re.IGNORECASE,
 )
 """What is named only to say where something else is, or that it is not there."""
