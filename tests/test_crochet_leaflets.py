@@ -207,6 +207,9 @@ def test_small_pieces_in_lines_under_a_heading() -> None:
     assert not [w for w in told(found) if "the pattern says" in w]
     made = {p.name.lower(): p.copies for p in found.parts}
     assert made == {"torso": 1, "side curls": 2, "middle curl": 1, "chimney": 1, "smoke": 1}
+    built = build(found)
+    hues = {tuple(built.graph.color[p.start].tolist()) for p in built.graph.parts[1:4]}
+    assert hues == {(250, 249, 245)}  # the white of their heading
 
 
 def test_grass_and_scallops_in_a_line_stand_in_their_loops() -> None:

@@ -9,6 +9,7 @@ from typing import Final
 from tambour.crochet.printed.sheet.rims import hanging
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
+from tambour.crochet.printed.yarns.shades import shade
 from tambour.crochet.words.numbers import NUMBERS
 
 _WORDS: Final = 6  # of a name
@@ -21,12 +22,15 @@ def pieced(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
     ch 16, …`` and ``One middle curl: ch 13, and do the same.`` as "side curls (make 2): ch 16, …", "middle curl: ch 13, …"."""
     made: list[Row] = []
     above: list[Token] = []
+    yarn: list[Token] = []  # of the heading that such pieces stand under
     for row in rows:
         if len(row.tokens) > 4:
             tokens = _likewise(_piece(_dyed(row.tokens, vocabulary)), above)
+            yarn = yarn if _chained(tokens) else []
             row = row if tokens is row.tokens else replace(row, tokens=tokens)
+        yarn = _yarn_of(row.tokens) or yarn
         above = row.tokens or above
-        made += _joined(row) if len(row.tokens) > 8 else [row]
+        made += _joined(row) if len(row.tokens) > 8 and not _chained(row.tokens) else _in_yarn(row, yarn)
     return made
 
 
@@ -89,6 +93,30 @@ def _piece(tokens: list[Token]) -> list[Token]:
         Token("mark", ")", name[0].end, name[0].end, None, True),
     ]
     return [*called, *(said if many > 1 else []), *tokens[colon:]]
+
+
+def _yarn_of(tokens: list[Token]) -> list[Token]:
+    """The yarn in brackets that a line of a name ends with: "WATER SPOUT (light blue)"."""
+    opened = next((k for k, t in enumerate(tokens[:_WORDS]) if t.word == "("), 0)
+    inner = tokens[opened + 1 : -1]
+    named = bool(opened) and tokens[0].capital and tokens[-1].word == ")" and all(t.kind == "word" for t in inner)
+    return inner if named and inner and shade(" ".join(t.word for t in inner)) is not None else []
+
+
+def _in_yarn(row: Row, yarn: list[Token]) -> list[Row]:
+    """A piece that says no yarn in that of its heading, a line each for its name, the yarn and what is worked."""
+    tokens = row.tokens
+    colon = next((k for k, t in enumerate(tokens[: 2 * _WORDS]) if t.word == ":"), 0)
+    own = any(t.word == "(" for t in tokens[:colon]) and not any(t.word == "make" for t in tokens[:colon])
+    if not yarn or own or not _chained(tokens):
+        return [row]  # "Smoke (white): ch 12"
+    hue = [Token("word", "with", yarn[0].start, yarn[0].start), *yarn]
+    rest = tokens[colon + 1 :]
+    return [
+        Row(tokens[:colon], row.start, tokens[colon].start, 1),
+        Row(hue, yarn[0].start, yarn[-1].end),
+        Row(rest, rest[0].start, row.end),
+    ]
 
 
 _COPIES: Final = 12

@@ -62,6 +62,7 @@ _IDIOMS: Final = tuple(
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
         # pages of today
+        (r"^you need(?: :)?$", "you will need"),
         (r"= (\d+) (close|fill|stuff|cut|fasten off|finish off|fold)(?= [.a-z]| ?$)", "= {1} . {2}"),
         (r", (?:and |then )?(?:work|working|crochet) (?:all )?around (?:both sides of )?(?:the )?(?:chain|ch)(?: \( oval \))?(?= [:.]| ?$)", ""),
         (r"(?:along|on|in|across) (?:the )?(?:lower|bottom|second|under) side(?: of (?:the )?(?:chain|ch))?(?= [,:]| (?:sc|dc|hdc|inc|\d))", "on the other side of the chain"),
