@@ -259,7 +259,10 @@ Embroider a smile on the body. Give Rolf a hug.
         line.number + line.times - 1 for line in pattern.parts[0].lines if line.number and line.span.start < span.start
     )
     assert after == 10  # where she wrote it
-    assert said.closing == ["Give Rolf a hug."] and hers(pattern, "de") is None
+    assert list(said.beside.values()) == [
+        ["Give Rolf a hug."]
+    ]  # it names no part: behind the step that she wrote it after
+    assert not said.closing and hers(pattern, "de") is None
 
 
 def test_what_cannot_be_placed_is_left_out_and_told(tmp_path: Path) -> None:

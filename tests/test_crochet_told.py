@@ -98,8 +98,8 @@ def test_a_round_that_says_more_than_stitches_stands_in_her_words(words: str) ->
     assert printed().count(words) == 1, printed()
 
 
-def test_a_round_of_stitches_alone_is_ours() -> None:
-    assert "Rnd 2: 6 inc (12)" in printed()
+def test_a_round_of_stitches_alone_stands_in_her_words_too() -> None:
+    assert "Rnd 2: 2 sc in each sc around. (12)" in printed()
 
 
 def test_what_is_sewn_stands_under_the_part_that_it_is_said_of() -> None:
@@ -182,10 +182,9 @@ def test_rounds_are_called_and_numbered_as_she_does() -> None:
     assert not any("Next 2 rows" in line for line in newt())
 
 
-def test_her_word_for_a_decrease_stands_in_our_rounds_too() -> None:
-    assert any("sc2tog] x 6" in line for line in newt()) and not any(
-        "dec]" in line or "6 dec" in line for line in newt()
-    )
+def test_her_word_for_a_decrease_stands_in_her_rounds() -> None:
+    assert "Rnd 10: *Sc in next sc, sc2tog. Rep from * around. (12)" in newt()
+    assert not any("dec]" in line or "6 dec" in line for line in newt())
 
 
 def test_a_heading_of_several_parts_stands_before_them() -> None:
@@ -205,3 +204,9 @@ def test_notes_on_several_parts_name_theirs() -> None:
     at = next(k for k, line in enumerate(newt()) if "Sew the tail and the feather" in line)
     under = [line for line in newt()[at + 1 :] if "›" in line]
     assert any(line.strip().startswith("› TAIL:") for line in under)
+
+
+def test_stitches_at_the_end_of_a_round_are_no_count() -> None:
+    text = "Newt\n\nSCARF\nCh 10.\nRow 1: 9 sc from 2nd ch. (9)\nRow 2: Ch 1, turn, 9 sc.\nRow 3: Ch 1, turn. 9 sc. (9)\nRow 4: Ch 1, turn, sc around, 9 sts\n"
+    words = printed(text)
+    assert "Row 2: Ch 1, turn, 9 sc" in words and "Row 3: Ch 1, turn. 9 sc. (9)" in words

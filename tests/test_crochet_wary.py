@@ -56,7 +56,7 @@ def test_what_is_stuffed_while_it_is_sewn_on_is_the_part_itself(said: str) -> No
 def test_rounds_behind_the_heading_of_the_assembly_stay_with_their_part_unless_they_join_two() -> None:
     text = f"Bo\n\n{HEAD}\nBODY\n{BALL}\nASSEMBLY\nSew the head to the body.\nRnd 7: sc2tog x 6 (6)\nFasten off. Weave in all ends.\n"
     words = printed(text).splitlines()
-    assert words.index("Rnd 7: 6 sc2tog (6)") < words.index("Assembly")
+    assert words.index("Rnd 7: sc2tog x 6 (6)") < words.index("Assembly")
 
 
 def test_a_heading_over_several_parts_stands_with_its_sentences_where_she_wrote_it() -> None:
@@ -107,7 +107,10 @@ def test_a_turn_that_stands_in_our_words_is_not_said_again_in_any_language() -> 
         "Maus\n\nAbkürzungen: fM = feste Masche, M = Masche, Lm = Luftmasche\n\nSCHAL\n10 Lm anschlagen.\n"
         "Reihe 1: 9 fM ab der 2. Lm. (9)\nWenden.\nReihe 2: 1 Lm, 9 fM.\nWenden.\nReihe 3: 1 Lm, 9 fM. (9)\nFaden abschneiden.\n"
     )
-    assert "wenden" in printed(text) and "Wenden." not in printed(text)
+    words = printed(text)
+    assert (
+        words.lower().count("wenden") == 2 and words.count("1 Lm, 9 fM") == 2
+    )  # nor is what is worked taken for a count
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,8 @@ from tambour.crochet.words.table import Terms
 _OTHERWISE: Final = ("is not drawn", "is drawn as", "both loops are taken", "approximated")
 """What is said where the pictures have something else than the text."""
 _COUNT: Final = re.compile(r"[\s\-–—=:.,(\[{]*\d+\s*(?:\w+)?[)\]}]?\W*$")
+_STITCHES: Final = r"(?:sts?|stitches|total|in all|[Mm]aschen|[Mm]|mailles|puntos|steken)\b"
+"""What is counted behind a round, that no hook works."""
 _JOINT: Final = r"(?:-|–|—|to|and|&|,|bis|und|a|y|à|et|t/m|tot|en)"
 
 
@@ -55,6 +57,8 @@ def her_words(pattern: Pattern, line: Line, terms: Terms, count: int = 0) -> str
         words = re.sub(head, "", words, count=1, flags=re.IGNORECASE)
     if count:  # "(18)", "= 14"
         words = re.sub(
-            rf"(?:\s*[-–—:]*\s*[(\[{{=]\s*|(?<=[.;,])\s+){count}(?:\s+[^\W\d]+\.?)?\s*[)\]}}]?\W*$", "", words
-        )
+            rf"(?:\s*[-–—:]*\s*[(\[{{=]\s*{count}(?:\s+[^\W\d]+\.?)?|(?<=[.;,])\s+{count}(?:\s+{_STITCHES}\.?)?)\s*[)\]}}]?\W*$",
+            "",
+            words,
+        )  # but no "ch 1, 9 sc", which is worked
     return re.sub(r"\\([*_\[\]()-])", r"\1", " ".join(words.split()))  # as Markdown escapes them

@@ -268,6 +268,22 @@ def _begins_ring(done: list[str]) -> bool:
     return any(name == "mr" or name.startswith("MR") for name in done)
 
 
+_RISES: Final = re.compile(
+    r"\b(?:ch(?:ain)?s?\s*\d+|\d+\s*(?:chs?|lm|ml|cad|l)|turn|wenden|tourner|girar|keren)\b", re.IGNORECASE
+)
+_COUNTS: Final = re.compile(
+    r"\d+\s*(?:(?:sts?|stitches|total|maschen|m|mailles|puntos|steken)\b\.?)?\s*", re.IGNORECASE
+)
+
+
+def _works(before: str, last: str) -> bool:
+    """Whether so many stitches at the end of a round are what is worked in it, and no count: "Ch 1, turn, 9 sc", and not "… around. 9 sc"."""
+    if _COUNTS.fullmatch(last.strip()):
+        return False
+    rest = _RISES.sub("", before)
+    return before.rstrip().endswith(",") or not re.search(r"[^\W\d_]{2,}", rest)
+
+
 def her_round(words: str, number: int, count: int) -> str:
     """Her words of a round, or of several (``number``, 0 of none), without their numbers and their count, which stand beside them.
 
@@ -290,7 +306,10 @@ def her_round(words: str, number: int, count: int) -> str:
             flags=re.IGNORECASE,
         )
     if count:
-        end = rf"(?:[\s.,;:]*[–—-]+\s*|\s*[(\[{{=]+\s*|(?<=[.;,])\s+){count}\s*(?:(?!cm|mm|in|yd|g\b|m\b)[a-z]+\.?\s*)?[)\]}}]?\W*$"
+        word = r"\s*(?:(?!cm|mm|in|yd|g\b|m\b)[a-z]+\.?\s*)?"
+        end = rf"(?:(?:[\s.,;:]*[–—-]+\s*|\s*[(\[{{=]+\s*){count}{word}|(?P<alone>(?<=[.;,])\s+{count}{word}))[)\]}}]?\W*$"
         sign = re.search(r"\*{2,}\s*$", words)
-        words = re.sub(end, sign[0] if sign is not None else "", words, count=1, flags=re.IGNORECASE)
+        found = re.search(end, words, flags=re.IGNORECASE)
+        if found is not None and not (found["alone"] and _works(words[: found.start()], found["alone"])):
+            words = words[: found.start()] + (sign[0] if sign is not None else "")
     return re.sub(r"\\([*_\[\]()-])", r"\1", " ".join(words.split()))

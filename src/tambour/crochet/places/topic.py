@@ -133,6 +133,7 @@ def _starts(text: str, begin: int) -> int:
     return line
 
 
+_SHUT: Final = re.compile(r"\b(?:closed|shut)\b(?! (?:edge|end|side))")
 _BEFORE: Final = 160
 """So many letters before a sentence name the limbs that it tells in pairs."""
 _SURFACE: Final = re.compile(r"\bsurface[- ](?:sl(?:ip)?[- ]?st(?:itch)?(?:es)?|crochet|chain)\b", re.IGNORECASE)
@@ -196,7 +197,14 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...], within: str
     ):
         return f"{words[: made.start()]}embroider a {label[1].lower()}{words[made.end() :]}"
     name = topic(text, begin, names) or _of_pairs(text, begin, words, names)
-    if not name and within in names and _EDGE.search(words.lower()) and lines.behind_rounds(text, begin, 2):
+    shuts = _SHUT.search(words.lower())  # "Sew the end of the tail closed at the 2nd rnd"
+    if (
+        not name
+        and not shuts
+        and within in names
+        and _EDGE.search(words.lower())
+        and lines.behind_rounds(text, begin, 2)
+    ):
         name = within  # "Stuff, and sew the open end to the side of the roof"
     if not name:
         return words
@@ -229,7 +237,7 @@ def _of_eyes(low: str, names: tuple[str, ...]) -> bool:
 
 def _rounds_of(pairs: re.Match[str] | None) -> list[re.Match[str] | None]:
     """The rounds of each of two pairs; of the second the number alone may be said, "the front two at round 12, the back two at 4"."""
-    if pairs is None or (first := _OVER_ROUNDS.search(pairs["a"])) is None:
+    if pairs is None or "third" in pairs["b"] or (first := _OVER_ROUNDS.search(pairs["a"])) is None:
         return [None]
     return [first, _OVER_ROUNDS.search(pairs["b"]) or _AT_NUMBER.match(pairs["b"])]
 
