@@ -135,6 +135,8 @@ YARNS = "Yarn: Black (B) 20 g, White (W) 20 g, Red (R) 5 g\n"
         "B: 4 sc, W: 5 sc, B: 3 sc",
         "4 black, 5 white, 3 black",
         "black 4, white 5, black 3",
+        "4 sc in B, 5 in W, 3 in B",
+        "4 sc in black, 5 sc in white, 3 sc in black",
     ],
 )
 def test_a_round_told_by_how_many_are_of_which_yarn(words: str) -> None:
@@ -404,3 +406,17 @@ def test_the_yarn_that_was_before_is_taken_up_again() -> None:
     built = build(found)
     hues = [tuple(built.graph.color[r.last].tolist()) for r in built.rounds]
     assert hues[0] == hues[3] == hues[4] != hues[1] == hues[2]
+
+
+def test_the_letter_of_a_yarn_is_its_initial_where_no_amount_is_said() -> None:
+    found = pattern(
+        "MOLE\n\nMATERIALS\nGreen (G) 50 g\nWhite (W)\n\nINSTRUCTIONS\n\nTORSO\nR1: With G, 6 sc in MR (6)\nR2: With W, inc x6 (12)\n"
+    )
+    assert not unread(found) and counts(found)[0] == [6, 12]
+
+
+def test_nothing_is_lost_behind_the_yarn_that_a_part_begins_in() -> None:
+    found = pattern(
+        "MOLE\n\nTORSO\nR1: 6 sc in MR (6)\nR2: inc x6 (12)\n\nNECK\nBegin in brown, at the neck, ch 12, join.\nR1: 12 sc (12)\n"
+    )
+    assert any("ch 12, join" in one for one in unread(found))

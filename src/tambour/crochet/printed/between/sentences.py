@@ -171,7 +171,9 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
             left_over(p, rest)
         return dyed
     if cut := dyed_lead(p, tokens):
-        return sentence_read(p, tokens[cut:]) or True
+        if not sentence_read(p, tokens[cut:]) and any(t.kind in ("number", "stitch") for t in tokens[cut:]):
+            left_over(p, tokens[cut:])
+        return True
     if cut := dyed_last(p, tokens):
         return sentence_read(p, tokens[cut:])
     if p.language.code in ("us", "uk") and turned_always(p.source.text.text, tokens):

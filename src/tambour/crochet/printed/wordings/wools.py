@@ -38,6 +38,10 @@ _LETTERED: Final = re.compile(
     r"(?<![^\W_])((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+) \(([A-Z])\)(?=[^\n]{0,24}?(?:\d ?(?:g|balls?|skeins?|oz|yds?|yards?|m|hanks?)\b|small amount|scrap|a (?:little|bit)))"
 )
 """A yarn of a list, with its letter and how much of it is wanted: "Black (B) 80 g   White (W) 30 g"."""
+_INITIALS: Final = re.compile(
+    r"^[ \t•*-]*((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+)(?: yarn)? \(([A-Z])\)[ \t]*(?:,|$)", re.MULTILINE
+)
+"""A yarn of a list, with the letter that it begins with and no more: "White (W)"."""
 _PURPOSES: Final = re.compile(
     r"\b(?i:(?:change|switch|swap)(?: (?:the )?(?:thread|yarn|colou?r))?(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
     r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b| \d)",
@@ -61,8 +65,10 @@ _NO_NAME: Final = frozenset(
 def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
     """Teaches ``palette`` the yarns that a text begins or goes on with, by the colour that their names or its list tell; those that nothing
     tells get one of our choice."""
-    for m in _LETTERED.finditer(text):
+    for m in (*_LETTERED.finditer(text), *_INITIALS.finditer(text)):
         words = m[1].split()
+        if m.re is _INITIALS and not any(w[0].upper() == m[2] for w in words):
+            continue
         hue = next((hue for k in range(len(words)) if (hue := _color(" ".join(words[k:]), "")) is not None), None)
         if hue is not None:
             palette.given.setdefault(m[2].lower(), hue)

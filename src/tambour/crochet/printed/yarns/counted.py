@@ -73,6 +73,7 @@ def _run(tokens: list[Token], at: int, palette: Palette, vocabulary: Vocabulary)
         end = at + 1
         stitch = _stitch(tokens, end, vocabulary)
         end += len(stitch)
+        end += end < len(tokens) and tokens[end].word == "in"  # "3 sc in B, 10 in W"
         yarn = _yarn(tokens, end, palette, vocabulary)
         end += len(yarn)
         return _Run(yarn, first, stitch, end) if yarn and _ended(tokens, end) else None
