@@ -874,3 +874,19 @@ def test_a_seam_is_drawn_into_the_edge_that_it_closes() -> None:
     off = led.paths.coords - made.positions[stitch]
     out = (off * vertex_normals(made.positions, graph.faces)[stitch]).sum(1) / graph.stitch_width
     assert sewn.sum() > 12 and out[sewn].max() < 0.55
+
+
+def test_a_twist_asks_for_the_outside_where_its_yarn_lies() -> None:
+    """Columns lean, so that after many rounds a stitch shows several further on: asked of its own node, the outside was up to a right angle off."""
+    graph, x = piece("R1: MR(6)\nR2: 6 inc (12)\nR3: [sc, inc] x 6 (18)\nR4-R24: 18 sc (18)\n")
+    made = fabric.strands(graph, x)
+    out = fabric._outward(made, graph, x)
+    centre = x[graph.round == 14].mean(0)
+    axis = x[graph.round == 20].mean(0) - x[graph.round == 8].mean(0)
+    axis /= np.sqrt((axis**2).sum())
+    off = made.paths.coords - centre
+    along = off @ axis
+    off -= along[:, None] * axis
+    middle = np.abs(along) < 3.0 * graph.stitch_width
+    true = off[middle] / np.sqrt((off[middle] ** 2).sum(1))[:, None]
+    assert np.quantile((true * out[middle]).sum(1), 0.05) > 0.9

@@ -228,3 +228,18 @@ def test_pixels_are_those_of_the_film_to_the_nearest_code() -> None:
     dim = shade[..., :3] < 4
     assert np.abs(made[..., :3] - exact)[dim].max() < 0.52
     assert (made[..., 3] == 255).all()
+
+
+@pytest.mark.parametrize("lean", [-0.4, 0.4])
+def test_plies_of_pale_yarn_are_told_by_a_dark_line_however_it_leans(lean: float) -> None:
+    """Its hollows threw their light back, and a leg of a V whose plies the lamp did not cast was smooth (the line had .71 of the light)."""
+    t = np.linspace(-8.0, 8.0, 60)
+    paths = Paths(np.stack([lean * t, t, 0.0 * t], axis=1), np.array([0, 60]))
+    yarn = sweep(Strands(paths, np.full(60, 4.0), np.array([[245, 245, 245]], np.uint8)), sides=20, lay=4.6)
+    seen = (
+        raster.picture(yarn, width=240, height=320, azimuth=0.0, elevation=0.0, ground=False).rgba[..., 1].astype(float)
+    )
+    rows = np.arange(60, 260)
+    middle = seen[rows, np.rint(120 + (160 - rows) * lean).astype(int)]
+    even = np.convolve(middle, np.ones(9) / 9, "valid")
+    assert np.quantile(even, 0.05) < 0.69 * np.quantile(even, 0.95)

@@ -14,11 +14,11 @@ AROUND: Final = 256
 """Texels of the fibres' tile around a strand, and along one turn of its twist."""
 FIBRES: Final = 3200
 """Fibres that lie in the tile, one over the other."""
-SLANT: Final = (0.28, 0.5)
+SLANT: Final = (0.2, 0.36)
 """How far fibres lie across the strand's way, in radians: spread of single ones, and how much each turns along its length."""
 LONG: Final = (30.0, 110.0)
 """How long fibres are, in texels: the shortest and the longest."""
-WISPS: Final = ((0.55, 2, 6), (0.40, 6, 16))
+WISPS: Final = ((0.5, 2, 12), (0.32, 5, 30))
 """How strongly wisps of fibres show, beside single ones, how many texels wide they are to either side, and how long."""
 TONES: Final = 1024
 """Rows of the table of tones."""

@@ -19,7 +19,15 @@ DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.08  # how much lighter and darker single fibres are: twice as much are hard streaks
 SOFT = 0.2  # how round the bottom of the groove between plies is: at .08 it was a hard line
-DARK, DARKEST = 1.1, 0.55  # how much of the light the groove between plies keeps out, for its depth, and at the most
+DARK, DARKEST = (
+    1.1,
+    0.55,
+)  # how much of the light the groove between plies of thread keeps out, for its depth, and at the most
+SPUN = 3.1  # the same of hairy yarn, of all its light: fibres hide how deep it is, and where no lamp casts it one leg of every V was smooth
+NARROW, MEAN = (
+    0.05,
+    0.2,
+)  # how round that dark line is, in cos² of its phase; what it takes in the mean, and the yarn is lighter by: it is no darker
 
 
 @kernel
@@ -148,7 +156,7 @@ def shade(
                     else:
                         n[0], n[1], n[2] = gx, gy, gz
                     m = material[f]
-                    occlude = 1.0
+                    occlude = line = 1.0
                     for c in range(3):
                         albedo[c] = wa * color[a0, c] + wb * color[b0, c] + wc * color[c0, c]
                         if table[m, HAIRS] > 0.0:
@@ -197,8 +205,13 @@ def shade(
                             n[1] -= steep * sy_
                             n[2] -= steep * sz_
                             # Little light gets down between two plies: a soft dark line, as deep as they are round.
-                            crease = 1.0 - ridge / sqrt(1.0 + SOFT) if plies > 0.0 else 0.0
-                            occlude = 1.0 - min(DARKEST, DARK * table[m, GROOVE]) * crease * sqrt(crease)
+                            if plies > 0.0 and table[m, HAIRS] > 0.0:
+                                crease = 1.0 - sqrt((ripple * ripple + NARROW) / (1.0 + NARROW))
+                                part = min(1.0, SPUN * table[m, GROOVE])
+                                line = (1.0 - part * crease * sqrt(crease)) * (1.0 + MEAN * part)
+                            elif plies > 0.0:
+                                crease = 1.0 - ridge / sqrt(1.0 + SOFT)
+                                occlude = 1.0 - min(DARKEST, DARK * table[m, GROOVE]) * crease * sqrt(crease)
                             if fibre > 0.0:
                                 # Fibres finer than a sample are not seen one by one.
                                 wide = len(fleece)
@@ -280,7 +293,7 @@ def shade(
                         light = open_sky[c] * max(share, bounced) + lamp[c] * (0.4 + 0.6 * occlude)
                         # What the window's light meets round about sends some of it into the hollow.
                         light += HOLLOW * tone * share * (1.0 - share) * open_lamp[c]
-                        total[c] += tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
+                        total[c] += line * tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
                     total[3] += 1.0
             for c in range(4):
                 out[row, column, c] = total[c] / dealt

@@ -256,11 +256,20 @@ def _spun(made: Strands, full: float) -> Strands:
 
 
 def _outward(made: Strands, graph: StitchGraph, positions: Array) -> Array:
-    """Where (P, 3) the outside of the fabric is from every point of its yarn; the same for neighbours, as nearly as the fabric bends."""
-    from scipy.ndimage import uniform_filter1d
+    """Where (P, 3) the outside of the fabric is from every point of its yarn; the same for neighbours, as nearly as the fabric bends.
 
-    normals = vertex_normals(positions, graph.faces)[made.point_data["stitch"]]
-    smoothed = uniform_filter1d(normals, 25, axis=0, mode="nearest")
+    Asked of the stitches it lies at, not of the one it belongs to: columns lean, and after many rounds a stitch shows several further on.
+    """
+    from scipy.ndimage import uniform_filter1d
+    from scipy.spatial import cKDTree
+
+    normals, out = vertex_normals(positions, graph.faces), np.empty_like(made.paths.coords)
+    part, of = graph.part[made.point_data["stitch"]], np.flatnonzero(np.isfinite(positions).all(1))
+    for k in np.unique(part).tolist():
+        own, points = of[graph.part[of] == k], np.flatnonzero(part == k)
+        near = cKDTree(positions[own]).query(made.paths.coords[points], min(4, len(own)))[1].reshape(len(points), -1)
+        out[points] = normals[own[near]].sum(1)
+    smoothed = uniform_filter1d(out, 25, axis=0, mode="nearest")
     return np.ascontiguousarray(smoothed / np.maximum(length(smoothed), 1e-9)[:, None])
 
 
@@ -270,7 +279,7 @@ NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
 SLUB, THIN = 9, 0.07
 """Yarn grows thicker and thinner every so many points, by so much of its radius."""
-GROOVE = 0.26
+GROOVE = 0.12
 """How deep the plies of such yarn lie apart in its outline, in radii drawn."""
 WANDER = 0.06
 """Yarn is twisted more and less along its way, by so many turns."""
@@ -282,7 +291,7 @@ KINKS = 6
 """How often the bends of such yarn are shared with their neighbours: strands that were pushed apart have kinks."""
 RINGED = 0.4
 """How far apart, in radii drawn, the rings of such an outline lie."""
-LAY = 5.6
+LAY = 4.6
 """Radii along which plies wind once about the yarn, as worsted of four plies is twisted. At 13 a leg of a V showed one shallow groove, and nobody
 saw plies; at 7.4 they lay along the leg that leans against the twist, which was a smooth petal."""
 LEANING, LOOSE, HIGH = 0.13, 0.11, 0.04

@@ -30,6 +30,9 @@ SHORTER: Final = 0.3
 WAVES: Final = 2.0, 3.6
 """How often it waves to and fro on its way, at the least and at the most: wool keeps the twist that it had."""
 
+WAVED: Final = 2.4
+"""How far it waves at its end, in its own radii: at .9 fringe was straw."""
+
 
 def frayed(made: Strands, graph: StitchGraph) -> tuple[Strands, Strands]:
     """The yarn of a piece without the ends that hang out of its fur, and those as thin strands (none where there is no fur).
@@ -99,7 +102,7 @@ def _lock(line: Array, thin: float, number: int) -> list[Array]:
         # Some lie inside, most around.
         inside = rough.random() ** 0.5
         out = inside * thin * (SPREAD[0] + (SPREAD[1] - SPREAD[0]) * t * rough.uniform(0.3, 1.0))
-        wave = 0.9 * thin * t * np.sin(2.0 * pi * rough.uniform(*WAVES) * t + rough.uniform(0.0, 2.0 * pi))
+        wave = WAVED * thin * t * np.sin(2.0 * pi * rough.uniform(*WAVES) * t + rough.uniform(0.0, 2.0 * pi))
         goes = ASIDE * far[-1] * rough.uniform(-1.0, 1.0, 2) * t[:, None] ** 2
         x, y = out * np.cos(turn) + wave + goes[:, 0], out * np.sin(turn) + goes[:, 1]
         made.append(at + x[:, None] * right + y[:, None] * up)
