@@ -144,6 +144,7 @@ def assembling(text: str, names: list[str]) -> bool:
     return any(w in known or kind_of(w) for w in words) and bool(
         TO.search(low)
         or where(low).end is not None
+        or where(low).apart is not None
         or re.search(r"\b(?:as shown|as pictured|in place|tog|together|photo)\b", low)
     )
 

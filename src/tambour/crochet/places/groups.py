@@ -31,6 +31,10 @@ _COUNTS: Final = re.compile(r"\s*(?:st|sc|rnd|round|row|cm|mm|inch|time|side|sti
 _LINE: Final = re.compile(
     r"\bin (?:a )?(?:straight |vertical )?(?:row|line)(?: (?:down|along|up) (?:the )?(?:\w+ )?(?:middle|cent(?:er|re)))?"
 )
+_ON_TRUNK: Final = re.compile(
+    r"^(?:\w+\s+)?(?:on|at|to|onto|over|down|along)\s+(?:the|its|his|her)\s+(?:back|belly|tummy|chest|hips?|waist)\b"
+)
+"""A place that is one of the body, where a head is another part."""
 _LEAST: Final = 2
 HANDLED: Final = re.compile(
     r"^\W*(?:the\s+|both\s+)*(?:[a-z]+\s+){0,2}?[a-z]+\s*(?:[:–—→]|\s-)\s*(?=(?:do not|don'?t|no|un|lightly|firmly|stuff|fold|flatten|gather|press|pinch|"
@@ -96,6 +100,8 @@ def grouped(low: str, parts: list[Made]) -> str:
     lead = led[0] if led else None
     host = next((m for m in led[1:] if m.copies[0][0].single), None)
     row = _LINE.search(low[:begin])
+    led_to = host
+    trunk = any(p.single and p.kind == "body" for p in parts)
     said: list[tuple[Made, int | None, str]] = []
     for m in groups:
         own = _meant(m["noun"], lead, parts)
@@ -103,7 +109,10 @@ def grouped(low: str, parts: list[Made]) -> str:
             return low
         place = m["place"]
         if not mentions(place, [p for p in parts if p != own]):
-            place += f" on the {host.word}" if host is not None else ""
+            # "one on the head and two on the back": of the body, and not of that head
+            before = host is not None and host is not led_to and host.copies[0][0].kind == "head"
+            on = "body" if before and trunk and _ON_TRUNK.search(place) else host.word if host is not None else ""
+            place += f" on the {on}" if on else ""
         else:
             host = next((h for h in mentions(place, [p for p in parts if p != own]) if h.copies[0][0].single), host)
         said.append((own, None if m["rest"] else int(quantity(m["many"])), place + (f", {row[0]}" if row else "")))

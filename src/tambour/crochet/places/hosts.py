@@ -218,6 +218,10 @@ class Hosts(Likely):
         if _OTHERS.search(self.text, p.span.start, p.span.end):
             return
         a, b = sorted((p.span, first.span), key=lambda span: span.start)
+        known, new = first.where, p.where
+        open_ = not any(v is not None for v in (known.apart, known.apart_mm, known.aside, known.pair, known.stitch))
+        if open_ and (new.apart is not None or new.apart_mm is not None):  # "They sit 6 stitches apart", told behind it
+            first.where = replace(known, apart=new.apart, apart_mm=new.apart_mm)
         if "\n" not in self.text[a.end : b.start]:
             self.made.more.append(p.span)
 

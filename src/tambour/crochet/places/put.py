@@ -19,7 +19,7 @@ from tambour.crochet.places.held import BESIDE, LAID
 from tambour.crochet.places.masks import eye_on, is_mask
 from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.places.paired import Pairer
-from tambour.crochet.places.room import Seam, aside, spread, strewn
+from tambour.crochet.places.room import Seam, aside, spread, strewn, strewn_on
 from tambour.crochet.places.rowed import in_rows
 from tambour.crochet.places.snouts import BROW
 from tambour.crochet.places.stand import Host, neck
@@ -246,7 +246,7 @@ class Putter(Pairer):
         if len(made) == 4 and len({c[0] for c, _ in made}) == 1 and not self.work.spots.in_rows[host.part]:
             made = self._evened(host, made)
         if put.where.stitch is None:
-            own = strewn(put.kind, len(made), host, *self._sorts(put)) if self._loose(put) else []
+            own = self._strewn(put, host, len(made)) if self._loose(put) else []
             places = own or spread([spot for _, (spot, _) in made], host, 2.0 * self._half(put.copies[0]))
             made = [(c, (host.within(spot), way)) for (c, (_, way)), spot in zip(made, places)]
         if not all(self.stand.there(spot) for _, (spot, _) in made):
@@ -263,6 +263,16 @@ class Putter(Pairer):
                 if records[k].spot.round == records[k + 1].spot.round and ways[k].at[0] * ways[k + 1].at[0] < 0.0:
                     records[k + 1] = _mirrored(records[k], records[k + 1])
         return records
+
+    def _strewn(self, put: Put, host: Host, many: int) -> list[Spot]:
+        """Places for spots all over a part, or on the one side of it that is said."""
+        said = put.where.words & {"front", "back", "top", "sides"}
+        lies = self._lies_name(host)
+        if len(said) == 1 and said <= {"front", "back"} and not lies:
+            return strewn_on(put.kind, many, host, (0.0, 0.0, 1.0 if "front" in said else -1.0))
+        if said in ({"back"}, {"top"}) and lies:
+            return strewn_on(put.kind, many, host, (0.0, 1.0, 0.0))
+        return strewn(put.kind, many, host, *self._sorts(put))
 
     def _loose(self, put: Put) -> bool:
         """Whether nothing says where on its host a part goes."""

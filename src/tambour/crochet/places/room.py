@@ -72,6 +72,9 @@ class Room:
 
 _STREWN, _STREWN_TO, _GOLDEN = 6, 0.94, 0.618034
 """So many spots are strewn over as much of a part's stitches, each so much of a turn after the one before."""
+_STREWN_ON, _SIDE_OF, _ENDS = 3, math.radians(58.0), 0.2
+"""So many are strewn over one side of it, so far round it to both sides, and so much of its rounds from both its ends."""
+_UP, _ALONG = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
 def _meet(one: Seam, other: Seam) -> bool:
@@ -105,6 +108,22 @@ def strewn(kind: str, many: int, host: Host, before: int = 0, total: int = 0) ->
         n = int(np.searchsorted(behind, share))
         turn = (k * _GOLDEN + 0.25) % 1.0
         made.append(Spot(host.name, rounds[n], round(1.0 + turn * counts[n], 1)))
+    return made
+
+
+def strewn_on(kind: str, many: int, host: Host, way: tuple[float, float, float]) -> list[Spot]:
+    """Places for many spots on one side of a part, which looks ``way``: as evenly as seeds, off its edges and its ends; none for a few, and for
+    other things, as of "Scatter the five patches over the back".
+    """
+    if kind != "spot" or many < _STREWN_ON or host.stand.spots.in_rows[host.part]:
+        return []
+    ahead, wide = np.array(way), np.cross(np.array(way), _UP if not way[1] else _ALONG)
+    made = []
+    for k in range(many):
+        high, turn = (k + 0.5) / many, ((k * _GOLDEN + 0.5) % 1.0 - 0.5) * 2.0 * _SIDE_OF
+        level = host.low + (_ENDS + (1.0 - 2.0 * _ENDS) * high) * (host.high - host.low)
+        about = math.cos(turn) * ahead + math.sin(turn) * wide
+        made.append(Spot(host.name, round(level), host.in_round(round(level), about)))
     return made
 
 

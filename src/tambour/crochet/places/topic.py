@@ -12,6 +12,7 @@ from tambour.crochet.places.habits import ROUND, SCATTERED
 from tambour.crochet.places.hosts import LIMBS
 from tambour.crochet.places.names import Made, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, where
+from tambour.crochet.words.numbers import QUANTITY
 
 _POINT: Final = r"[\s*•·–—-]*(?:(?:step\s+)?(?:\d{1,2}|[a-z])\s*[.):]\s*)?"
 _NAME: Final = r"(?:the\s+|both\s+|two\s+)?((?:[^\W\d_]+[ -]+){0,2}[^\W\d_]+)"
@@ -112,6 +113,11 @@ _PAIRS: Final = re.compile(
 _OVER_ROUNDS: Final = re.compile(rf"\b{ROUND}\s?\.?\s*(\d+)(?:\s*(?:to|and|-|–)\s*(?:{ROUND}\s?\.?\s*)?(\d+))?")
 _AT_NUMBER: Final = re.compile(r"\s*(?:at|in|on|over)\s+(\d+)(?:\s*(?:to|and|-|–)\s*(\d+))?(?=\s*$|\s*[,.;])")
 _THEY_GO: Final = re.compile(r"^\W*(?:they|these|both)\s+(?=(?:go|sit|belong|are placed)\b)")
+_THEY_APART: Final = re.compile(
+    rf"^\W*(?:they|these|the\s+two|both)\s+(?:(?:should|must|will)\s+)?(?:sit|sits|are|be|stand|lie|go|come|end up)\s+(?:about\s+|roughly\s+|set\s+|placed\s+|spaced\s+)?"
+    rf"(?=(?:{QUANTITY})\s*(?:sts?|stitch(?:es)?|sc)\s+(?:apart|from each other)\b)|^\W*(?:leave|keep|with)\s+(?:about\s+)?(?=(?:{QUANTITY})\s*(?:sts?|stitch(?:es)?|sc)\s+between\s+(?:them|the\s+two)\b)"
+)
+"""How far the two of a pair are apart, told behind where they go: "They sit 6 stitches apart"."""
 
 
 _EYES: Final = re.compile(
@@ -175,6 +181,8 @@ def about(text: str, begin: int, words: str, names: tuple[str, ...], within: str
             return f"sew the {_called(part)} to the {_called(host)}"
     if (they := _THEY_GO.match(words.lower())) is not None and _of_eyes(text[line:begin].lower(), names):
         return f"the eyes {words[they.end() :]}"
+    if (far := _THEY_APART.match(words.lower())) is not None and (pair := _last_pair(text[line:begin].lower(), names)):
+        return f"sew the {pair} {words[far.end() :]}"
     words = SCATTERED.sub(r"\1", _FACING.sub("", words))
     if (set_ := _SET.match(words.lower())) is not None:
         where_to, _, rest = _SO.sub("", words[set_.end() :]).partition(",")
@@ -233,6 +241,15 @@ def _of_eyes(low: str, names: tuple[str, ...]) -> bool:
     eyes = [m.start() for m in _EYES.finditer(low)]
     others = [m.start for m in mentions(low, [Made(name, 1) for name in names]) if low[m.start : m.end].endswith("s")]
     return bool(eyes) and eyes[-1] > max(others, default=-1)
+
+
+def _last_pair(low: str, names: tuple[str, ...]) -> str:
+    """What was spoken of last as several, by the name of its part; "" where nothing was, or eyes were spoken of since."""
+    said = [m for m in mentions(low, [Made(name, 2) for name in names]) if low[m.start : m.end].endswith(("s", "feet"))]
+    eyes = [m.start() for m in _EYES.finditer(low)]
+    if not said or len({p for p, _ in said[-1].copies}) != 1 or (eyes and eyes[-1] > said[-1].start):
+        return ""
+    return _called(said[-1].copies[0][0].name)
 
 
 def _rounds_of(pairs: re.Match[str] | None) -> list[re.Match[str] | None]:

@@ -1,0 +1,62 @@
+"""What is told of several at once: how far "they" are apart, which of them are on the head and which on the back, patches on one side."""
+
+from __future__ import annotations
+
+import pytest
+
+from crochet_read import pattern, unread
+from tambour.crochet.language.finishes import Placed
+
+_BALL = (
+    "1. 6 sc in a magic ring. [6]\n2. 2 sc in each st. [12]\n3. *sc in next st, 2 sc in next st; rep from * 5 more times. [18]\n"
+    "4. *sc in next 2 sts, 2 sc in next st; rep from * 5 more times. [24]\n5-12. Sc in each st. [24]\n"
+    "13. *Sc in next 2 sts, sc2tog; rep from * 5 more times. [18]\nFasten off. Stuff.\n\n"
+)
+_PIECE = "Grey.\n1. 6 sc in a magic ring. [6]\n2. 2 sc in each st. [12]\n3. Sc in each st. [12]\nFasten off.\n\n"
+_TOY = "A FOX\n\nHEAD\nGrey.\n" + _BALL + "BODY\nGrey.\n" + _BALL + "{part}\n" + _PIECE + "MAKING UP\n{how}\n"
+
+
+def _toy(part: str, how: str) -> str:
+    return _TOY.format(part=part, how="Sew the head to the body. " + how)
+
+
+def _placed(words: str) -> dict[str, Placed]:
+    return {r.part: r for r in pattern(words).finish if isinstance(r, Placed)}
+
+
+@pytest.mark.parametrize(
+    ("how", "whole"),
+    [
+        ("They sit 2 stitches apart.", "Sew the ears to the top of the head on round 5, 2 stitches apart."),
+        ("They should be about 2 sts apart.", "Sew the ears to the top of the head on round 5, 2 stitches apart."),
+        ("Leave 2 sts between them.", "Sew the ears to the top of the head on round 5, with 2 sts between them."),
+    ],
+)
+def test_how_far_they_are_apart_may_stand_behind_where_they_go(how: str, whole: str) -> None:
+    words = _toy("EARS (make 2)", f"Sew the ears to the top of the head on round 5. {how}")
+    told, once = _placed(words), _placed(_toy("EARS (make 2)", whole))
+    far = _placed(_toy("EARS (make 2)", "Sew the ears to the top of the head on round 5."))
+    for name in ("EARS.1", "EARS.2"):
+        assert (told[name].spot.part, told[name].spot.stitch) == (once[name].spot.part, once[name].spot.stitch)
+        assert told[name].spot.stitch != far[name].spot.stitch
+    assert unread(words) == []
+
+
+def test_two_on_the_back_are_on_the_bodys_where_one_is_on_the_head() -> None:
+    words = _toy("FLOWERS (make 3)", "Sew one flower on the head and two on the back.")
+    found = _placed(words)
+    assert sorted(found[f"FLOWERS.{k}"].spot.part for k in (1, 2, 3)) == ["BODY", "BODY", "HEAD"]
+    assert unread(words) == []
+
+
+@pytest.mark.parametrize(("side", "behind"), [("back", True), ("front", False)])
+def test_patches_that_are_scattered_over_one_side_are_on_that_side(side: str, behind: bool) -> None:
+    found = _placed(_toy("SPOTS (make 5)", f"Scatter the spots over the {side} of the body."))
+    own = [found[f"SPOTS.{k}"].spot for k in range(1, 6)]
+    assert {spot.part for spot in own} == {"BODY"}
+    assert len({(spot.round, spot.stitch) for spot in own}) == 5
+    middle = 13.833  # of the front, in a round of 24
+    for spot in own:
+        assert spot.stitch is not None
+        off = abs((spot.stitch - middle + 12.0) % 24.0 - 12.0)
+        assert off > 7.0 if behind else off < 5.0
