@@ -60,3 +60,31 @@ def test_patches_that_are_scattered_over_one_side_are_on_that_side(side: str, be
         assert spot.stitch is not None
         off = abs((spot.stitch - middle + 12.0) % 24.0 - 12.0)
         assert off > 7.0 if behind else off < 5.0
+
+
+_HOUSE = (
+    "A GOBLIN'S COTTAGE\n\nWALLS ({begun})\nCream.\n" + _BALL.partition("13.")[0] + "Fasten off. Stuff.\n\n"
+    "ROOF (from the top)\nRed.\n"
+    + _BALL.partition("5-12")[0]
+    + "5. *sc in next 3 sts, 2 sc in next st; rep from * 5 more times. [30]\n"
+    "6-8. Sc in each st. [30]\n9. *Sc in next 3 sts, sc2tog; rep from * 5 more times. [24]\nFasten off.\n\n"
+    "CHIMNEY\nGrey.\n1. 6 sc in a magic ring. [6]\n2-4. Sc in each st. [6]\nFasten off.\n\n"
+    "SMOKE\nWhite.\nRow 1: Ch 9, 2 sc in 2nd ch from hook and in each ch across. [16]\nFasten off.\n\n"
+    "MAKING UP\nEmbroider a smile on the walls over rounds 3 and 4. Sew the roof to the walls. Sew the smoke to the middle of the black top.\n"
+)
+
+
+@pytest.mark.parametrize(
+    "begun", ["from the floor upwards", "from the feet up", "worked from the bottom up", "from its base upwards"]
+)
+def test_what_is_worked_upwards_has_its_last_round_on_top(begun: str) -> None:
+    walls = next(part for part in pattern(_HOUSE.format(begun=begun)).parts if part.name == "WALLS")
+    assert (walls.up or "end") == "end"
+    assert _placed(_HOUSE.format(begun=begun))["ROOF"].spot.round > 8.0
+
+
+def test_a_chimney_is_beside_the_ridge_and_smoke_rises_from_it() -> None:
+    found = _placed(_HOUSE.format(begun="from the floor upwards"))
+    assert found["CHIMNEY"].spot.part == "ROOF"
+    assert found["CHIMNEY"].spot.stitch is not None and found["CHIMNEY"].spot.round > 1.0
+    assert found["SMOKE"].spot.part == "CHIMNEY"

@@ -36,6 +36,8 @@ _CLOTHES: Final = re.compile(r"\b(?:outfit|clothes|clothing|wardrobe|accessories
 """What titles of patterns for clothes say."""
 _OF_ROOF: Final = frozenset(("attic", "dormer", "skylight"))
 """Words of a window that is in a roof."""
+_SMOKE: Final = frozenset(("smoke", "puff", "steam"))
+"""What rises from a chimney."""
 _OTHERS: Final = re.compile(r"\b(?:remaining|others?|rest|next|second|third|another|each)\b")
 """Words of a sentence that puts others of a part elsewhere."""
 
@@ -155,6 +157,10 @@ class Hosts(Likely):
         crowned = p.host[0] == head or (head is None and p.host[0] == main and self._goes_on_head(p))
         if hats and _OF_ROOF & set(made.words) and (p.guess or not p.where.beside or p.host[0] == main):
             p.host = (hats[0], 1)  # an attic window, over the door
+        stack = next((m for m in every if m.single and "chimney" in m.words and m != made), None)
+        if stack is not None and _SMOKE & set(made.words) and (unsaid or p.host[0] == main):
+            p.host = (stack, 1)  # it rises from the chimney, and from no wall
+            p.where = replace(p.where, rounds=None, beside=(), words=frozenset(("tip",)))
         if kind == "spot" and main.kind == "stem" and hats and p.host[0] == main and (unsaid or not p.where.says):
             p.host = (hats[0], 1)  # a toadstool's are on its cap
         if kind in _CROWNING and crowned and hats and p.where.rounds is None and not p.where.beside:

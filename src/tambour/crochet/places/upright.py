@@ -37,7 +37,7 @@ _NEAR: Final = 24
 _TOYS: Final = 2
 """Where so many things are measured, it may be another that sits."""
 _UPWARDS: Final = re.compile(
-    r"\bbottom[- ](?:to[- ])?(?:the )?(?:up|top|neck)\b|\b(?:up )?from (?:the )?(?:bottom|ground|base) up(?:wards?)?\b"
+    r"\bbottom[- ](?:to[- ])?(?:the )?(?:up|top|neck)\b|\b(?:up )?from (?:the |its |his |her )?(?:bottom|ground|base|floor|feet|toes|hem|seat|lower edge) up(?:wards?)?\b"
 )
 """What is worked from its lower end to its upper one."""
 _NECK: Final = 0.7

@@ -177,6 +177,8 @@ def usual(
         way = (_LYING.get(kind) if lying else None) or _SINGLE.get(kind) or _PAIRS.get(kind) or _SINGLE[""]
         if kind == "leaf" and copies == 1 and words & {"petal"}:
             way = _SINGLE["stem"]
+        if kind == "stem" and "chimney" in words:  # upright on the slope, beside the roof's ridge
+            way = replace(way, at=(0.55, 0.75, 0.0))
         if kind == "belly" and "chest" in words and not lying:
             way = replace(way, at=(0.0, _FUR, 1.0))
         return [way]
