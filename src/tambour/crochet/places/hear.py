@@ -422,12 +422,7 @@ class Heard:
         strange = bool(onto - _NO_PART) and not self._region(low) and not at.beside and at.rounds is None
         for group in apart(copies):
             called = one(word[group[0][0]])
-            if (
-                host is None
-                and at.apart is None
-                and not at.says
-                and any(p.copies == group and p.where.says for p in self.puts)
-            ):
+            if not (host or at.says or at.apart) and any(p.copies == group and p.where.says for p in self.puts):
                 continue  # "Sew the closed tops", behind where they go
             self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, False, called, strange))
         return True
