@@ -88,3 +88,25 @@ def test_a_chimney_is_beside_the_ridge_and_smoke_rises_from_it() -> None:
     assert found["CHIMNEY"].spot.part == "ROOF"
     assert found["CHIMNEY"].spot.stitch is not None and found["CHIMNEY"].spot.round > 1.0
     assert found["SMOKE"].spot.part == "CHIMNEY"
+
+
+@pytest.mark.parametrize(
+    ("how", "rounds", "stitches"),
+    [
+        ("2. FINS. Sew one to each side over Rnds 6 to 9, pointing backward.", 7.5, None),
+        ("2. FINS. Sew one to each side on Rnd 8 (st 8 on one side, st 20 on the other).", 8.0, {8.0, 20.0}),
+        ("2. FINS. Sew both on Rnd 8, at st 8 on the left side and st 20 on the right side.", 8.0, {8.0, 20.0}),
+    ],
+)
+def test_a_paragraph_behind_a_number_is_about_its_part(how: str, rounds: float, stitches: set[float] | None) -> None:
+    words = _TOY.format(part="FINS (make 2)", how=f"1. HEAD. Sew the head to the body.\n{how}")
+    own = [_placed(words)[f"FINS.{k}"].spot for k in (1, 2)]
+    assert [spot.round for spot in own] == [rounds, rounds]
+    assert stitches is None or {spot.stitch for spot in own} == stitches
+    assert unread(words) == []
+
+
+def test_a_round_of_what_is_sewn_is_no_place() -> None:
+    words = _TOY.format(part="SPOUT", how="1. SPOUT. Sew Rnd 1 of the stem upright on the back of the body, on Rnd 8.")
+    spot = _placed(words)["SPOUT"].spot
+    assert (spot.part, spot.round) == ("BODY", 8.0)

@@ -116,6 +116,10 @@ _PLAIN: Final[tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...]] = (
         r"between (?:the )?(\d+)(?:st|nd|rd|th) and (?:the )?(\d+)(?:st|nd|rd|th)\b(?: (?:stitch|st|loop)(?:es|s)?)?",
         r"between stitches \1 and \2, the other between stitches \3 and \4",
     ),
+    (
+        rf"\(?(?:at |in |on )?{ST}\s?(\d+) on (?:one|the (?:left|right)) side,? (?:and )?(?:at |in |on )?{ST}\s?(\d+) on the (?:other|left|right)(?: side)?\)?",
+        r"in st \1, in st \2",
+    ),
     # stitches between two
     (
         rf"\b({QUANTITY})\s+{_FREE}{ST}\s+(?:of\s+(?:the\s+)?[a-z]+\s+)?(?:(?:visible|showing|left|remaining|free|empty|open|wide|clear|in)\s+)*(?:between|in the middle\b(?! of)|inbetween)",

@@ -18,6 +18,8 @@ _POINT: Final = r"[\s*•·–—-]*(?:(?:step\s+)?(?:\d{1,2}|[a-z])\s*[.):]\s*)
 _NAME: Final = r"(?:the\s+|both\s+|two\s+)?((?:[^\W\d_]+[ -]+){0,2}[^\W\d_]+)"
 _LABEL: Final = re.compile(rf"{_POINT}{_NAME}\s*(?::|\s[–—-])\s", re.IGNORECASE)
 """What a paragraph begins with: "3) Side fins: …"."""
+_NUMBERED: Final = re.compile(rf"[\s*•·]*(?:step\s+)?\d{{1,2}}\s*[.):]\s*{_NAME}\s*\.\s+(?=[A-Z])", re.IGNORECASE)
+"""The same behind a number, with a full stop: "3. FINS. Sew one to each side"."""
 _JOINT: Final = re.compile(rf"{_POINT}{_NAME}\s+(?P<how>to|onto|on|and)\s+{_NAME}\s*:\s", re.IGNORECASE)
 """A paragraph about two parts that are sewn to each other: "Head to body: …"."""
 _JOINING: Final = re.compile(
@@ -34,7 +36,9 @@ _SO: Final = re.compile(r",?\s+so that\b[^.;]*")
 _FACING: Final = re.compile(
     r",?\s*\b(?:when|with|while|as)\s+the\s+\w+\s+(?:is\s+|are\s+)?(?:facing|towards|looks? at|faces)\s+you\b"
 )
-_IT: Final = re.compile(r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?:it|them)\b")
+_IT: Final = re.compile(
+    r"\b(sew|stitch|pin|attach|place|glue|whip ?stitch)\s+(?:it\b|them\b|one(?=\s+(?:to|on|at)\s+(?:each|either|both)\b)|all\s+(?:three|four|five|six|of\s+them)\b)"
+)
 _OVER_IT: Final = re.compile(r"\b(on|onto|over|across|along|down)\s+it\b")
 """What a part is drawn on that its paragraph is about: "sew three long stitches lengthwise over it"."""
 _JOINS: Final = re.compile(
@@ -59,6 +63,10 @@ _EDGE: Final = re.compile(
     rf"(?:the|its|their|his|her|each|both)\s+(?:two\s+)?(?P<own>{_OWN})(?:\s+of\s+(?:it|them|(?:the|each|both|your)\s+(?P<of>(?:[a-z]+\s+)?[a-z]+)))?(?=\s+(?:to|onto|on|in|into|at|over|along|against|under|below|above|between|around|across)\b|\s*[,.;]|\s*$)"
 )
 """An own edge of what is sewn, in its place: "sew the open end to …", "hold the flat edge of the tail against …"."""
+_OWN_ROUND: Final = re.compile(
+    rf"\b(?:sew|stitch|attach|pin|join)\s+(?:the\s+)?{ROUND}\s?\.?\s*\d+\s+of\s+(?:it|the\s+(?P<of>(?:[a-z]+\s+)?[a-z]+?))(?=\s+(?:upright\s+|flat\s+)?(?:to|on|onto|over|at)\b)"
+)
+"""A round of what is sewn, in its place: "Sew Rnd 1 of the stem upright on the middle of the back"."""
 _SHAPED: Final = r"(?:oval|circle|disc|disk|piece|square|triangle|strip|rectangle|half[- ]ball|dome|cone|pair|two|lot)"
 _LAID: Final = re.compile(
     rf"(?:^|(?<=[,;.:]\s)|\band\s+|\bthen\s+)(?:lay|stand|rest|lean|hold|slip|set|hang|let|place|put|pin|sew|position|slide|press)\s+(?P<what>it|them|both|these|the {_SHAPED}s?)(?P<flat>\s+(?:flat|on end|upright|lengthwise|sideways|across))?"
@@ -275,7 +283,7 @@ def topic(text: str, begin: int, names: tuple[str, ...]) -> str:
     """The part of ``names`` that the paragraph at ``begin`` of a text is about there; "" where it says none."""
     line = _starts(text, begin)
     said = ""
-    label = _LABEL.match(text, line)
+    label = _LABEL.match(text, line) or _NUMBERED.match(text, line)
     if label is not None and label.start(1) <= begin:
         said = label[1]
     for m in _OPENED.finditer(text, line, begin):
@@ -310,6 +318,8 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
     if pairs is not None and all(rounds):
         some = [f"over rounds {m[1]} to {m[2] or m[1]}" for m in rounds if m is not None]
         made = f"sew the {pairs['one']} {called} {some[0]}, and sew the {pairs['two']} {called} {some[1]}"
+    elif (first := _OWN_ROUND.search(made)) is not None and _part(first["of"] or "", names) in ("", name):
+        made = f"{made[: first.start()]}sew the {called}{made[first.end() :]}"
     elif (edge := _EDGE.search(made)) is not None and _own(edge, part, made, names):
         made = f"{made[: edge.start()]}sew the {called}{made[edge.end() :]}"
     elif (laid := _LAID.search(made)) is not None:
