@@ -3,7 +3,8 @@
 python bench/model.py FOLDER [--stitches N] [--only PART-OF-NAME] [--out FOLDER] [--json FILE]
 
 Per mesh: stitches, parts, seconds of processor, distance of the whole (mean, p95, largest, in stitches), what is left of the mean if every stitch lay
-where it belongs (laid) and if every round did, as a circle (circles), of its worst part (p95), overlap of the silhouettes from the front and the side, share of rounds that are plain or one repeat, most distinct rounds of a part, and whether the
+where it belongs (laid) and if every round did, as a circle (circles), of its worst part (p95), overlap of the silhouettes from the front and the side (outline), what the model's own
+come to without all that is thinner than two stitches (shown), share of rounds that are plain or one repeat, most distinct rounds of a part, and whether the
 text parses, its check finds nothing, how many of its triangles its own fabric passes through, whether it settles, and what is printed reads back as the same graph.
 """
 
@@ -45,6 +46,22 @@ def overlap(vertices: Any, faces: Any, other: Any, others: Any) -> float:
             masks.append(filled(p[f]))
         a, b = masks
         least = min(least, float((a & b).sum() / max((a | b).sum(), 1)))
+    return least
+
+
+def shown(vertices: Any, faces: Any, stitch: float) -> float:
+    """The overlap, the lesser of the front's and the side's, of a surface's outlines with themselves opened and closed by a disc of one
+    ``stitch`` radius: what crochet of that gauge cannot show, however true it is, is gone from them."""
+    from scipy.ndimage import distance_transform_edt as far
+
+    low, least = vertices.min(0), 1.0
+    size = float((vertices.max(0) - low).max())
+    disc = stitch / size * (GRID - 1)
+    for axes in ((0, 1), (2, 1)):
+        own = np.pad(filled((vertices[:, axes] - low[list(axes)])[faces] / size * (GRID - 1)), int(2.0 * disc) + 3)
+        opened = far(~(far(own) > disc)) <= disc
+        closed = far(far(~opened) <= disc) > disc
+        least = min(least, float((own & closed).sum() / (own | closed).sum()))
     return least
 
 
@@ -106,6 +123,7 @@ def measured(path: Path, stitches: int, out: Path | None) -> dict[str, Any]:
         "outline": round(
             overlap(piece.aim.vertices, piece.aim.faces, piece.positions, graph.faces[piece.built.shell]), 3
         ),
+        "shown": round(shown(piece.aim.vertices, piece.aim.faces, piece.stitch[0]), 3),
         "easy": round(float(np.mean(shares)), 3),
         "kinds": max(kinds),
         "check": len(tech_edit(piece.built)),
