@@ -172,6 +172,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         cut = tokens[at].end
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= cut) == some]
+            if not raw:
+                continue  # the line was put in other words that all stand before it
             text_line(p, Row(raw, raw[0].start, raw[-1].end, row.marked if some else 0), part)
         return
     listed = tokens[0].value == "abbreviations" or p.mode == "abbreviations"

@@ -23,10 +23,10 @@ _MOST: Final = 30  # chains between two pieces
 _KINDS: Final = frozenset(("leg", "foot", "arm", "horn", "ear", "tail", "fluke", "head"))
 _LINKS: Final = frozenset(("connect", "connecting", "attach", "attaching", "link", "between", "joining"))
 _NEAR: Final = 300  # characters within which two legs are joined
-_JOINED: Final = re.compile(
-    r"\b(?:join|connect|attach|unite)|\b(?:sc|dc|stitch|sts?|around|along|of)\s+(?:the\s+)?(?:first|1st|other)\s+(?:leg|foot|arm|horn|ear|tail|fluke|head)\b",
-    re.IGNORECASE,
-)
+_PIECE: Final = "(?:leg|foot|arm|horn|ear|tail|fluke|head|lobe)"
+_OVER_BOTH: Final = rf"\b(?:sc|dc|stitch|sts?|around|along|of)\s+(?:the\s+)?(?:(?:first|1st|other)\s+{_PIECE}|{_PIECE}\s+(?:1|one|2|two))\b"
+_JOINED: Final = re.compile(rf"\b(?:join|connect|attach|unite)|{_OVER_BOTH}", re.IGNORECASE)
+_AROUND: Final = re.compile(_OVER_BOTH, re.IGNORECASE)
 _MAKE: Final = frozenset("make crochet work repeat".split())
 _PLAIN: Final = frozenset(("sc", "ch", "slst"))
 
@@ -44,6 +44,9 @@ def bridging(p: State, tokens: list[Token]) -> bool:
     draft = p.parts[-1] if p.parts else None
     behind = p.source.text.text[tokens[-1].end : tokens[-1].end + _NEAR]
     alone = draft is not None and bool(draft.twin) and p.heading is None and _JOINED.search(behind) is not None
+    # "BODY | Ch 3. | R4: 12 sc around leg 1, …": a body that begins on two legs, no edging's chain
+    begins = draft is not None and p.heading is not None and draft.copies == 2 and len(tokens) == 2
+    alone = alone or (begins and _AROUND.search(behind) is not None)
     if not (links or alone) or founds:
         return False  # "Beginning at top of leg with F, ch 2"
     if draft is None or not (alone or _pair(p, draft, tokens) is not None):

@@ -261,7 +261,7 @@ def _made_twice(p: State, draft: Draft, noun: str, begin: int) -> bool:
     if not draft.begun() or draft.copies > 1 or draft.merged or p.heading is not None:
         return False
     said = p.source.text.text[draft.span.start : begin].lower()
-    many = rf"(?:two|2|both)\s+(?:[a-z]+\s+)?{re.escape(noun)}(?:s|es)|(?:second|other)\s+(?:one|{re.escape(noun)})"
+    many = rf"(?:two|2|both)\s+(?:[a-z]+\s+)?{re.escape(noun)}(?:s|es)|(?:second|other)\s+(?:one|{re.escape(noun)}|the\s+same)"
     return re.search(rf"\b(?:{many})\b", said) is not None
 
 

@@ -208,7 +208,7 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
     while end > begin and _frame(tokens[end - 1]):
         end -= 1
     led = begin > 0 or any(c in _FRAMES for c in text[row.start : tokens[0].start])
-    listed = tokens[begin : begin + 2] if led and begin and end < len(tokens) and end - begin > 2 else []
+    listed = tokens[begin : begin + 2] if led and end < len(tokens) and end - begin > 2 else []
     if listed and listed[0].kind == "number" and listed[1].word in (".", ")", ":"):
         begin += 2  # "+++ 8. COLLAR +++"
     if begin and tokens[0].word in _TURNS and end == len(tokens):  # "*ARMS* 2x", "~ CRUST ~ (brown)"
@@ -232,7 +232,7 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
     at = _label(tokens, vocabulary)
     if at and _title(text, tokens[at:], vocabulary):
         tokens, framed = tokens[at:], True
-    return replace(row, tokens=tokens, marked=max(row.marked, 1)) if framed else row
+    return replace(row, tokens=tokens, marked=2) if framed else row
 
 
 def _ruled(tokens: list[Token]) -> list[Token]:

@@ -27,6 +27,9 @@ def _twice(tokens: list[Token]) -> bool:
     at = next((k for k, t in enumerate(tokens) if _stroke(t)), 0)
     if at < 4 or not any(t.kind == "number" or t.word[-1:].isdigit() for t in tokens[:3]):
         return False
+    behind_it = tokens[at + 1 : at + 3]
+    if len(behind_it) == 2 and len(behind_it[0].word) < 3 and behind_it[0].capital and behind_it[1].word == ":":
+        return False  # "A: 4 sc / B: 9 sc": another yarn
     before = {
         t.word for t in tokens[:at] if t.kind == "word"
     } - _ROUNDS  # "7 - 12 rows / 6 rows / - 36 sc" says all once

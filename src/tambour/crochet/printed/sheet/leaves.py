@@ -4,6 +4,7 @@ text, so that a sentence goes on over it."""
 from __future__ import annotations
 
 import re
+from collections import Counter
 from typing import Final
 
 from tambour.crochet.printed.tokens import Row
@@ -13,7 +14,9 @@ _FOOT: Final = re.compile(
     re.IGNORECASE,
 )
 _LONGEST: Final = 120
-_RUNNING: Final = re.compile(r"(?:(?<![.!?:])[ \t]|^)page[ \t]*(\d{1,3})[ \t]*[^\w\n]*$", re.IGNORECASE)
+_RUNNING: Final = re.compile(
+    r"(?:(?<![.!?:])[ \t]|^)page[ \t]*(\d{1,3})(?:[ \t]*(?:of|/)[ \t]*\d{1,3})?[ \t]*[^\w\n]*$", re.IGNORECASE
+)
 _GOES_ON: Final = ("*", "(", "[", "{")
 
 
@@ -52,6 +55,14 @@ def _unheaded(text: str, rows: list[Row]) -> list[Row]:
         for places in said.values()
         if len(places) > 1 and [n for _, n in places] == list(range(places[0][1], places[0][1] + len(places)))
         for k, _ in places
+    }
+    # The next page's head stands below: "Hazel Crochet      Rabbit", after every foot the same.
+    below = [(k, next((j for j in range(k + 1, len(rows)) if rows[j].tokens), k)) for k in running]
+    heads = Counter(" ".join(text[rows[j].start : rows[j].end].split()) for _, j in below)
+    running |= {
+        j
+        for k, j in below
+        if j != k and heads[" ".join(text[rows[j].start : rows[j].end].split())] > max(1, len(running) // 2)
     }
     return [row for k, row in enumerate(rows) if k not in running] if running else rows
 

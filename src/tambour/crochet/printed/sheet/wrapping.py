@@ -22,19 +22,20 @@ _ROOM: Final = 0.9  # of the width: letters differ in theirs
 _ENDED: Final = re.compile(r"[.!?:)\]}”\"*][ \t]*$")
 _OWN: Final = 3  # lines that begin in small letters behind what a mark ended, before that is a writer's habit
 _COUNTED: Final = re.compile(
-    r"\d[ \t]+(?:sts?|stitches|sc|dc|rounds|rnds|rows|m|maschen|mailles|puntos|steken)[ \t]*$", re.IGNORECASE
+    r"\d[ \t]+(?:sts?|stitches|sc|dc|rounds|rnds|rows|m|maschen|mailles|puntos|steken)(?:[ \t]*|[)\]][ \t]*)$",
+    re.IGNORECASE,
 )
-"""A line that ends with its round's count: "… rep from * to end. 18 sts"."""
+"""A line that ends with its round's count: "… rep from * to end. 18 sts", "sc in each st (48 sts)"."""
 _COUNT: Final = re.compile(r"= ?\d+(?: sc| sts?)?[ \t]*$")
 _LESS: Final = 0.8  # where a small letter goes on with what no mark ended
 _POINT: Final = re.compile(r"[ \t]*(?:[•▪●■○✓☐◦]|[A-Za-z][\w ]{0,20} = )")
 _NUMBERED: Final = re.compile(r"[ \t]*\d{1,2}[.)][ \t]+[A-Z]")
 _STEP: Final = re.compile(
-    r"(?:(?:step|stage|part)[ \t]*#?(\d{1,2})[ \t]*[.:)–—-]*|[(\[][ \t]*(\d{1,2})[ \t]*[)\]][ \t]*[.:–—-]?|#(\d{1,2})[ \t]*[.:)–—-]?|(\d{1,2})[ \t]*[.:)–—-])[ \t]*"
+    r"(?:(?:step|stage|part)[ \t]*#?(\d{1,2})[ \t]*[.:)–—-]*|[(\[][ \t]*(\d{1,2})[ \t]*[)\]][ \t]*[.:–—-]?|#(\d{1,2})[ \t]*[.:)–—-]?|(\d{1,2})\ufe0f?\u20e3|(\d{1,2})[ \t]*[.:)–—-])[ \t]*"
     r"(?=[^\W\d_]{2}|$)",
     re.IGNORECASE | re.MULTILINE,
 )
-"""What numbers a step: "Step 2:", "(3)", "#4", "2." on a line of its own."""
+"""What numbers a step: "Step 2:", "(3)", "#4", "2." on a line of its own, "2" on a key."""
 _ROUND: Final = re.compile(r"[ \t]*(?:rnd|round|row|rd|r)[ \t]*(\d{1,3})[ \t]*[.:)]", re.IGNORECASE)
 _COUNTING: Final = re.compile(r"[ \t]*(\d{1,3})(?:[ \t]*[-–—/][ \t]*(\d{1,3}))?[ \t]*[.:)](?![.\d])")
 """A line with a number of its own, or of several rounds: "15-18. 12 sc"."""
@@ -90,13 +91,18 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             if follows and (not above.tokens or above.tokens[-1].word not in ("ch", "chain")):
                 made.append(row)
                 continue
-        if not (made and row.tokens and above.tokens) or row.marked or above.marked:
+        ruled = all(t.kind == "mark" for t in above.tokens)  # a line of dashes is as wide as the page
+        if not (made and row.tokens and above.tokens) or ruled or row.marked or above.marked:
             made.append(row)
             continue
         open_ended = cut[at - 1] and above.tokens[-1].word in _UNENDED and text[row.start : row.start + 1].islower()
         named = cut[at - 1] and above.tokens[-1].word in _TO and _ROUNDS.match(text, row.start, row.end) is not None
-        if named or (open_ended and not _begins(text, above, row, False, begins)):
-            made[-1] = Row([*made[-1].tokens, *row.tokens], made[-1].start, row.end, made[-1].marked)
+        going = above.tokens[-1].word in (";", ",") and _round_goes_on(text, made[-1], row)
+        if named or going or (open_ended and not _begins(text, above, row, False, begins)):
+            more = row.tokens
+            if going and more[0].word == "a" and more[0].capital:
+                more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
+            made[-1] = Row([*made[-1].tokens, *more], made[-1].start, row.end, made[-1].marked)
             continue
         near = slice(max(0, at - _NEAR), at + _NEAR)
         width = whole or max(lengths[near])
@@ -125,6 +131,14 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
             more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
         made[-1] = Row([*last.tokens, *more], last.start, row.end, last.marked)
     return made
+
+
+def _round_goes_on(text: str, above: Row, row: Row) -> bool:
+    """Whether a round whose line ends in mid-sentence goes on in a line that stands further in: "Rnd 19: A: 6 sc, dec; | B: 9 sc; | A: 12 sc (42)"."""
+    first, second = (text[r.start : r.end] for r in (above, row))
+    inward = row.start - text.rfind("\n", 0, row.start) > above.start - text.rfind("\n", 0, above.start)
+    begun = _BEGUN.match(first) is not None
+    return begun and _BEGUN.match(second) is None and (inward or second[:1] in (" ", "\t"))
 
 
 def _anew(text: str, rows: list[Row], at: int, last: int) -> bool:

@@ -9,6 +9,7 @@ from typing import Final
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.wordings.gaps import spaced
 from tambour.crochet.printed.wordings.reworded import reworded
+from tambour.crochet.printed.wordings.sellers import CHAT, ranged
 from tambour.crochet.printed.wordings.vocabulary import Vocabulary
 from tambour.crochet.printed.wordings.weblogs import CHAINS, SAID, ST
 from tambour.crochet.words.numbers import NUMBER, NUMBERS, TEENS, TENS
@@ -23,6 +24,7 @@ _TURNED: Final = "(?:sc|single crochet)"
 _IDIOMS: Final = tuple(
     (rf"(?<!\S){said}(?!\S)", meant)
     for said, meant in (
+        *CHAT,
         *SAID,
         (r"(?:held|used|taken|worked|working) (?:double|doubled)(?! crochet| treble|-)", "held together"),
         (r"(?:a |one |1 )?single strands? of", "yarn"),
@@ -62,7 +64,7 @@ _IDIOMS: Final = tuple(
         (r"(blo|flo) -", "{1} :"),
         (r"(?<!rnd )(?<!round )(?<!rd )(?<!row )(?<!r )(\d+) (mr|mc|magic ring|magic circle)(?= [(\[=]| ?$)", "{1} sc in mr"),
         # pages of today
-        (r"^you need(?: :)?$", "you will need"),
+        (r"^you need(?: :)?(?: [~*=-])*$", "you will need"),
         (r"= (\d+) (close|fill|stuff|cut|fasten off|finish off|fold)(?= [.a-z]| ?$)", "= {1} . {2}"),
         (r", (?:and |then )?(?:work|working|crochet) (?:all )?around (?:both sides of )?(?:the )?(?:chain|ch)(?: \( oval \))?(?= [:.]| ?$)", ""),
         (r"(?:along|on|in|across) (?:the )?(?:lower|bottom|second|under) side(?: of (?:the )?(?:chain|ch))?(?= [,:]| (?:sc|dc|hdc|inc|\d))", "on the other side of the chain"),
@@ -147,7 +149,7 @@ def plainly(rows: list[Row], vocabulary: Vocabulary) -> list[Row]:
         if found is not None and not vocabulary.read([t for t in row.tokens if t.word == found[1]][:1])[0].value:
             vocabulary.define(found[1], "popcorn" if any(w in found[2] for w in _DROPPED) else "bobble")
             vocabulary.define(f"{found[1]}s", "popcorn" if any(w in found[2] for w in _DROPPED) else "bobble")
-    return [row if not row.tokens else _row(row) for row in rows]
+    return [row if not row.tokens else _row(ranged(row)) for row in rows]
 
 
 _LOOKED_AT: Final = 100  # lines

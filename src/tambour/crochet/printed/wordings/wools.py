@@ -42,6 +42,11 @@ _INITIALS: Final = re.compile(
     r"^[ \t•*-]*((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+)(?: yarn)? \(([A-Z])\)[ \t]*(?:,|$)", re.MULTILINE
 )
 """A yarn of a list, with the letter that it begins with and no more: "White (W)"."""
+_EQUALS: Final = re.compile(
+    r"^[ \t•▪*-]*([A-Z]{1,2}) ?[=:–-] ?((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+) \((?:\d+ ?(?:g|balls?|skeins?|oz|yds?|yards?|m)\b|scraps?|a (?:little|bit)|small amount)",
+    re.MULTILINE,
+)
+"""A letter and the yarn it stands for, with how much of it is wanted: "O = orange (50 g)"."""
 _PURPOSES: Final = re.compile(
     r"\b(?i:(?:change|switch|swap)(?: (?:the )?(?:thread|yarn|colou?r))?(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
     r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b| \d)",
@@ -73,6 +78,10 @@ def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
         if hue is not None:
             palette.given.setdefault(m[2].lower(), hue)
             palette.named.setdefault(m[2].lower(), m[1])
+    for m in _EQUALS.finditer(text):
+        if (hue := _color(m[2], "")) is not None:
+            palette.given.setdefault(m[1].lower(), hue)
+            palette.named.setdefault(m[1].lower(), m[2])
     shelf = {m[1].lower(): (m[1], m[2] or "") for m in _LISTED.finditer(text)}
     found = [m for pattern in (_STARTS, _CHANGES, _BEHIND) for m in pattern.finditer(text)]
     names = [m[1] for m in sorted(found, key=lambda m: m.start())]

@@ -29,13 +29,34 @@ class _Run:
 
 def counted(rows: list[Row], palette: Palette, vocabulary: Vocabulary, sc: str) -> list[Row]:
     """``rows`` with such rounds as most others have them. sc : what a stitch is called that the text does not name."""
+    rows = [_led(row, palette, vocabulary) for row in rows]
     return [_row(row, palette, vocabulary, sc) if len(row.tokens) > 4 else row for row in rows]
+
+
+def _led(row: Row, palette: Palette, vocabulary: Vocabulary) -> Row:
+    """``row`` with the word that a yarn's letter lacks which is a line by itself, or begins one: "W", "O, from the top", "T, in rows: ch 61"."""
+    tokens = row.tokens
+    if not tokens or tokens[0].word not in palette.given or not tokens[0].capital or len(tokens[0].word) > 2:
+        return row
+    if tokens[0].word == "a" or (len(tokens) > 1 and tokens[1].word != ","):
+        return row
+    begin, end = tokens[0].start, tokens[0].end
+    stop = [Token("mark", ".", end, end, None, True)] if len(tokens) > 1 else []
+    return replace(
+        row, tokens=[Token("word", "with", begin, begin, None, False, True), tokens[0], *stop, *tokens[2:]], marked=0
+    )
 
 
 def _row(row: Row, palette: Palette, vocabulary: Vocabulary, sc: str) -> Row:
     tokens = row.tokens
     if not any(t.word[-1].isdigit() for t in tokens[:2]):
         return row  # no head of a round
+    parts = [
+        k for k in range(1, len(tokens)) if tokens[k - 1].kind == "mark" and _heads(tokens, k, palette, vocabulary)
+    ]
+    if len(parts) > 1:  # "O: (4 sc, dec) x 2 / W: 9 sc"
+        tokens = _parted(tokens, parts)
+        row = replace(row, tokens=tokens)
     found: dict[int, _Run] = {}
     at = 1
     while at < len(tokens):
@@ -62,6 +83,27 @@ def _row(row: Row, palette: Palette, vocabulary: Vocabulary, sc: str) -> Row:
     return replace(row, tokens=made)
 
 
+def _parted(tokens: list[Token], parts: list[int]) -> list[Token]:
+    """A round whose yarns head what is worked in them, each with "with" before it and a comma behind: "with O, (4 sc, dec) x 2; with W, 9 sc"."""
+    made: list[Token] = []
+    for k, token in enumerate(tokens):
+        if k in parts:
+            made.append(Token("word", "with", token.start, token.start))
+            token = replace(token, glued=False, value="A" if token.word == "a" else token.value)
+        elif k + 1 in parts and token.word == "/":
+            token = replace(token, word=";")
+        elif token.word == ":" and any(0 < k - at <= _WORDS for at in parts):
+            token = replace(token, word=",")
+        made.append(token)
+    return made
+
+
+def _heads(tokens: list[Token], at: int, palette: Palette, vocabulary: Vocabulary) -> bool:
+    """Whether a yarn with a colon behind it stands at ``at``: "W:"."""
+    end = at + len(_yarn(tokens, at, palette, vocabulary))
+    return at < end < len(tokens) and tokens[end].word == ":"
+
+
 def _run(tokens: list[Token], at: int, palette: Palette, vocabulary: Vocabulary) -> _Run | None:
     """The run of one yarn that begins at ``at`` and fills its clause; None where none does."""
     first = tokens[at]
@@ -80,6 +122,10 @@ def _run(tokens: list[Token], at: int, palette: Palette, vocabulary: Vocabulary)
     yarn = _yarn(tokens, at, palette, vocabulary)
     end = at + len(yarn)
     end += bool(yarn) and end < len(tokens) and tokens[end].word == ":"
+    if yarn and (stitch := _stitch(tokens, end, vocabulary)):  # "MC sc 5"
+        number = tokens[end + 1] if end + 1 < len(tokens) else None
+        if number is not None and isinstance(number.value, int) and _ended(tokens, end + 2):
+            return _Run(yarn, number, stitch, end + 2)
     many_ = tokens[end] if yarn and end < len(tokens) else None
     if many_ is None or many_.kind != "number" or not isinstance(many_.value, int):
         return None
