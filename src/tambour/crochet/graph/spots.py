@@ -113,11 +113,9 @@ class Spots:
     @cached_property
     def _wandered(self) -> Array:
         """Where rounds were laid out (N, 3), of a printed toy as their seams wander."""
-        from tambour.crochet.graph.layout import rounds
         from tambour.crochet.graph.sided import sided
 
-        graph = self.built.graph
-        x = sided(self, rounds(graph, graph.rest / graph.stitch_width))
+        x = sided(self, _laid_out(self.built.graph))
         return self._slanted(x) if self.built.pattern.terms else x
 
     def _slanted(self, x: Array) -> Array:
@@ -455,6 +453,16 @@ class Spots:
         if spot.stitch is not None and counts and spot.stitch >= max(counts) + 1:
             message = f'round {spot.round:g} of "{spot.part}" has {max(counts)} stitches, not {spot.stitch:g}'
             yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
+
+
+@lru_cache(maxsize=2)
+def _laid_out(graph: StitchGraph) -> Array:
+    """First positions (N, 3), which stay the same whichever way parts stand and whatever becomes known of them. Not to be written."""
+    from tambour.crochet.graph.layout import rounds
+
+    x = rounds(graph, graph.rest / graph.stitch_width)
+    x.setflags(write=False)
+    return x
 
 
 @lru_cache(maxsize=2)

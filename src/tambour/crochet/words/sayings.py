@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from itertools import pairwise
 from typing import Final, Generic, TypeVar
 
@@ -11,6 +12,9 @@ Meant = TypeVar("Meant")
 _PIECE: Final = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\((?:\?(?:P<\w+>|:|<?[=!]))?|\{\d*,?\d*\}|.", re.DOTALL)
 _DEEP: Final = 2
 """Of so many of an expression's runs of plain letters it is seen whether a line has them."""
+
+_THREE: Final = 3
+"""By its last so many letters a run is looked up among those of a line, before it is looked for there."""
 
 
 class Sayings(Generic[Meant]):
@@ -22,12 +26,13 @@ class Sayings(Generic[Meant]):
         self.n = len(self._each)
         self._last = "", 0  # the words that were asked about last, and which of them these may hold
         # Of a hundred sayings a line has one or none: which it cannot have is seen by the letters that they need.
-        self._having: list[dict[str, int]] = [{} for _ in range(_DEEP)]
+        self._having: list[dict[str, dict[str, int]]] = [{} for _ in range(_DEEP)]
         for k, (said, _) in enumerate(self._each):
             runs = needs(said)[:_DEEP]
             for having, run in zip(self._having, (*runs, *[("",)] * (_DEEP - len(runs)))):
                 for letters in run:
-                    having[letters] = having.get(letters, 0) | 1 << k
+                    some = having.setdefault(letters[-_THREE:] if len(letters) >= _THREE else "", {})
+                    some[letters] = some.get(letters, 0) | 1 << k
 
     def __getitem__(self, k: int) -> tuple[re.Pattern[str], Meant]:
         said, meant = self._each[k]
@@ -45,14 +50,23 @@ class Sayings(Generic[Meant]):
 
     def _likely(self, words: str) -> int:
         """Which of them ``words`` may hold, a bit each."""
-        likely = -1
+        likely, threes = -1, _threes(words)
         for having in self._having:
             found = 0
-            for letters, some in having.items():
-                if letters in words:
-                    found |= some
+            for three in having.keys() & threes:
+                for letters, some in having[three].items():
+                    if letters in words:
+                        found |= some
             likely &= found
+            if not likely:  # of nearly all lines that is so behind the rarest letters
+                break
         return likely
+
+
+@lru_cache(maxsize=4)
+def _threes(words: str) -> frozenset[str]:
+    """Every three letters that stand behind each other in ``words``, and "", by which those are found that have fewer."""
+    return frozenset(("", *[words[k : k + _THREE] for k in range(len(words) - _THREE + 1)]))
 
 
 def needs(said: str) -> list[tuple[str, ...]]:

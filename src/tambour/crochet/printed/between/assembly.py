@@ -25,7 +25,7 @@ from tambour.crochet.printed.yarns.colors import Palette
 from tambour.crochet.words.gloss import english
 from tambour.crochet.words.phrases import Phrases
 
-_EYE: Final = r"\b(?:eyes?|\w*augen|yeux|\w*ojos|ojitos|\w*ogen|\w*oogjes)\b"
+_EYE: Final = r"\b(?:eyes?|yeux|ojitos|\w*(?:augen|ojos|ogen|oogjes))\b"
 _NO_EYE: Final = r"(?:(?!hook|nadel|crochet|ganchillo|aguja|naald|yarn)[^.;\n\d]){0,24}"
 _INCHES: Final = r"(?:\d[/⁄]\d{1,2}|[¼½¾⅛⅜⅝⅞])\s*(?:[\"”]|-?inch(?:es)?\b)"
 _EYES: Final = (

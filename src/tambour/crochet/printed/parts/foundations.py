@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from tambour.core.errors import Span
@@ -20,7 +21,8 @@ if TYPE_CHECKING:
 _ROWED = 6  # the same of rows
 _TURN = re.compile(r"(?<!not )(?<!never )(?<!n't )(?<!without )\bturn(?:ed|ing)?\b", re.IGNORECASE)
 _RISEN = re.compile(r":\s*(?:ch|chain)\s?[23]\b(?!.*\b(?:join|sl|slst|ss)\b)", re.IGNORECASE)
-_EVERY = re.compile(r"[^.\n]*\b(?:each|every|all|end of) [^.\n]*\brows?\b[^.\n]*", re.IGNORECASE)
+_EVERY = re.compile(r"\b(?:each|every|all|end of) .*\brows?\b", re.IGNORECASE)
+_SENTENCE = re.compile(r"[^.\n]+")
 _RING = 3  # stitches in one chain that are a ring, at least
 
 
@@ -107,7 +109,13 @@ def _turns(text: str, at: int) -> bool:
     below = [line for line in text[at:].split("\n")[1:] if line.strip()][:1]
     if any(_TURN.search(line) or _RISEN.search(line) for line in below):
         return True
-    return any(_TURN.search(said[0]) for said in _EVERY.finditer(text))
+    return _always(text)
+
+
+@lru_cache(maxsize=8)
+def _always(text: str) -> bool:
+    """Whether a sentence of a text says that every row is turned: the same for all its parts."""
+    return any(_TURN.search(said) and _EVERY.search(said) for said in _SENTENCE.findall(text))
 
 
 def _chained(

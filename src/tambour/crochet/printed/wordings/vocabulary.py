@@ -44,6 +44,7 @@ _LISTED: Final = frozenset(("=", ":", "-"))  # behind a yarn's letter in a list:
 _AFTER: Final = frozenset("in into around to of from across along with until".split())  # behind a stitch and its point
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
+_NONE: Final[frozenset[str]] = frozenset()
 _LATER: Final = frozenset(
     ("circle", "oval", "half", "triangle", "heart", "square", "height", "pull through", "pull over", "next anchor")
 )
@@ -59,6 +60,7 @@ class Vocabulary:
     def __init__(self, code: str) -> None:
         self.code = code
         self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
+        self._second: dict[str, frozenset[str]] = {}  # first words of phrases → words that stand behind them in one
         self._alone: set[str] = set()  # words that are a stitch by themselves
         self._read: dict[tuple[int, int, int], tuple[list[Token], list[Token]]] = {}
         self._heads: dict[tuple[int, int, int], tuple[list[Token], list[tuple[int, Head]]]] = {}
@@ -124,6 +126,8 @@ class Vocabulary:
             phrases = [p for p in self._first.get(words[0], ()) if p[0] != words]
             insort_right(phrases, (words, kind, value), key=_length)
             self._first[words[0]] = phrases
+            if len(words) > 1:
+                self._second[words[0]] = self._second.get(words[0], frozenset()) | {words[1]}
             if kind == "stitch" and len(words) == 1:
                 self._alone.add(words[0])  # so that a point behind it ends a sentence: "1 sc. Inc." is two
 
@@ -149,7 +153,7 @@ class Vocabulary:
 
     def own(self) -> None:
         """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
-        self._first = dict(self._first)
+        self._first, self._second = dict(self._first), dict(self._second)
         self._alone = set(self._alone)
         self._read, self._heads, self._counts = {}, {}, {}
 
@@ -280,11 +284,12 @@ class Vocabulary:
 
     def _longest(self, tokens: list[Token], at: int) -> tuple[int, str, Any] | None:
         meanings = self._first.get(tokens[at].word)
-        if meanings is None:
+        if not meanings:
             return None
-        if len(meanings) == 1 and len(meanings[0][0]) == 1:
-            return at + 1, *meanings[0][1:]
         near = [token.word for token in tokens[at + 1 : at + 3]]  # one sign may stand between two words
+        if self._second.get(tokens[at].word, _NONE).isdisjoint(near):
+            words, kind, value = meanings[-1]  # of which one is a word alone, or none
+            return (at + 1, kind, value) if len(words) == 1 else None
         for words, kind, value in meanings:
             if len(words) > 1 and words[1] not in near:
                 continue
