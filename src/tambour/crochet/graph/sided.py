@@ -167,11 +167,13 @@ def _bib(spots: Spots, x: Array, part: int) -> tuple[float, float] | None:
     rings = [
         spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part and not r.aside and r.count >= _ROUND
     ]
-    found: dict[tuple[int, ...], list[Array]] = {}
+    found: dict[int, list[Array]] = {}
+    dyes = graph.color.astype(np.int64) @ [1 << 16, 1 << 8, 1]  # a number for each colour
     for nodes in rings:
-        color = graph.color[nodes]
-        own, of, many = np.unique(color, axis=0, return_inverse=True, return_counts=True)
-        of = of.reshape(-1)
+        dye = dyes[nodes]
+        if (dye == dye[0]).all():
+            continue  # as most are
+        own, of, many = np.unique(dye, return_inverse=True, return_counts=True)
         if (
             len(own) == 2
             and np.count_nonzero(of != np.roll(of, 1)) == 2
@@ -179,7 +181,7 @@ def _bib(spots: Spots, x: Array, part: int) -> tuple[float, float] | None:
         ):
             off = x[nodes] - x[nodes].mean(0)
             way = off[of == many.argmin()].mean(0)
-            found.setdefault(tuple(own[many.argmin()].tolist()), []).append(way / max(math.hypot(way[0], way[2]), 1e-9))
+            found.setdefault(int(own[many.argmin()]), []).append(way / max(math.hypot(way[0], way[2]), 1e-9))
     ways = max(found.values(), key=len, default=[])
     if len(ways) < max(_BANDED * len(rings), 4):
         return None
