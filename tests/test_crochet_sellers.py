@@ -138,3 +138,22 @@ def test_a_step_that_is_put_in_other_words_whole_is_no_fault() -> None:
         "MOLE\n\nO = orange (50 g)\n\n## 1. LEGS (make 2)\nR1: 6sc in MR [6]\nleg 1: FO. leg 2: keep going \u2b07\ufe0f\n\n## 2. SCARF\nO, row: ch 61, hdc in 2nd ch from hook & each ch across [60]. FO\n"
     )
     assert found.parts
+
+
+def test_two_lobes_that_a_heading_counts_are_one_part() -> None:
+    found = pattern(
+        "MOLE\n\nMATERIALS\nA blue\n\nTAIL FLUKES  (make 2 lobes in A, joined in Rnd 4)\nRnd 1:  4 sc in MR (4)\nRnd 2:  (1 sc, inc) x 2 (6)\nRnd 3:  (1 sc, inc) x 3 (9)\n"
+        "FO the first lobe. Make the second the same but do NOT fasten off.\nRnd 4:  JOIN - sc in each of the 9 sts of the first lobe, then sc in each\n"
+        "        of the 9 sts of the second lobe (18)\nRnd 5: (1 sc, dec) x 6 (12)\nFO.\n"
+    )
+    assert [(p.name, p.copies) for p in found.parts] == [("TAIL FLUKES", 1)] and not gaps(found)
+    assert counts(found)[-1] == 12 and not any("the pattern says" in w.message for w in build(found).warnings)
+
+
+def test_a_ring_hangs_from_no_loops() -> None:
+    found = pattern(
+        "MOLE\n\nMATERIALS\nMC oatmeal\nWH white\n\nARM (make 2)\nRnd 1: with MC, 6 sc in MR (6)\nRnd 2: 6 sc (6)\nRnd 3: in BLO, 6 sc (6)\nFO.\n"
+        "Cuff: join WH to the free loops of Rnd 2, sl st in each (6 sts).\n\nTAIL (WH)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x6 (12)\n"
+    )
+    assert [(p.name, p.copies) for p in found.parts] == [("ARM", 2), ("TAIL", 1)]
+    assert counts(found, 2) == [6, 12] and any("Cuff" in one or "free loops" in one for one in unread(found))

@@ -11,6 +11,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import spots_in
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.printed.between.unread import NOT_UNDERSTOOD
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.parts.bases import foundation
 from tambour.crochet.printed.parts.part import Draft
@@ -80,6 +81,10 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
     fit."""
     assert p.hanging is not None
     (number, span), p.hanging = p.hanging, None
+    if any(t.value == "ring" for t in tokens):
+        # A round that begins in a ring is another part's: what was joined in loops had its stitches in its own sentence.
+        p.tell(NOT_UNDERSTOOD, "say its stitches in a round of its own below: Rnd 1: sc in each loop (9)", span)
+        return None
     owners = [d for d in reversed(p.parts) if d is not draft and not d.merged and d.edges.get(number, 0) > 2]
     owners.sort(key=lambda d: not _leaves(d, number))
     for owner in owners:

@@ -226,6 +226,9 @@ def _counted_alone(rest: list[Token], chained: bool) -> list[Token]:
     rest, behind = rest[:counted], rest[counted:]
     numbers = [t for t in rest if t.kind == "number" and isinstance(t.value, int)]
     made = [t for t in rest if t.kind == "stitch" and t.value != "ch"]
+    said = [t.value for t in rest]
+    if len(numbers) == len(made) == 1 and "each" in said[said.index(made[0].value) : said.index(numbers[0].value)]:
+        return [numbers[0], made[0], *behind]  # "sc in each of the 12 sts of the first lobe"
     into = not chained and any(t.kind == "key" and t.value in ("in", "each", "next") for t in rest)
     return [*([numbers[0], made[0]] if len(numbers) == len(made) == 1 and not into else rest), *behind]
 
@@ -238,7 +241,11 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
     if len({noun for _, noun in named}) != 1 or len({_rank(tokens[k - 1]) for k, _ in named}) < 2:
         return None
     noun = named[0][1]
-    kin = [d for d in p.parts if d.begun() and not d.merged and noun in _words(d)]
+    kin = [
+        d
+        for d in p.parts
+        if d.begun() and not d.merged and noun in [one(w) for w in d.name.lower().replace("_", " ").split()]
+    ]
     if (not kin or (kin == [draft] and not draft.other_end)) and _made_twice(p, draft, noun, tokens[0].start):
         draft.twin = noun
         return draft, draft, noun
@@ -258,22 +265,17 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
 def _made_twice(p: State, draft: Draft, noun: str, begin: int) -> bool:
     """Whether the part under way has been one of two so far, as its words up to ``begin`` say: "First make two flukes", "on the second petal do
     not cut"."""
-    if not draft.begun() or draft.copies > 1 or draft.merged or p.heading is not None:
+    if not draft.begun() or draft.copies > 2 or draft.merged or p.heading is not None:
         return False
     said = p.source.text.text[draft.span.start : begin].lower()
     many = rf"(?:two|2|both)\s+(?:[a-z]+\s+)?{re.escape(noun)}(?:s|es)|(?:second|other)\s+(?:one|{re.escape(noun)}|the\s+same)"
     return re.search(rf"\b(?:{many})\b", said) is not None
 
 
-def _words(draft: Draft) -> list[str]:
-    return [one(w) for w in draft.name.lower().replace("_", " ").split()]
-
-
 def _called(draft: Draft) -> int | None:
     """Which of its kind a part is called: "FIRST LEG", "Leg 2", "Right leg"."""
     found = [_RANKS[w] for w in draft.name.lower().replace("_", " ").split() if w in _RANKS]
-    digits = [int(c) for c in draft.name if c.isdigit()]
-    return next(iter([*found, *digits]), None)
+    return next(iter([*found, *(int(c) for c in draft.name if c.isdigit())]), None)
 
 
 def _rank(token: Token) -> int | None:
@@ -287,8 +289,7 @@ def _which(rank: int, here: Draft, other: Draft) -> int:
     """Whether the piece of that rank is the one at the hook (0) or the other (1)."""
     if here is other:
         return 0 if rank == 2 else 1
-    called = _called(here)
-    return (0 if rank == called else 1) if rank else 1
+    return 0 if rank and rank == _called(here) else 1
 
 
 def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[list[Run], int] | None:
@@ -459,8 +460,7 @@ def _yarn_of(p: State, draft: Draft) -> Line | None:
 
 def _label(p: State, noun: str, rank: int) -> str:
     """The mark on the first piece or the second."""
-    pairs = sum(d.merged for d in p.parts)
-    return f"{noun}_{pairs + rank}"
+    return f"{noun}_{sum(d.merged for d in p.parts) + rank}"
 
 
 def _taken_in(p: State, draft: Draft, here: Draft, other: Draft, noun: str, span: Span) -> None:

@@ -31,9 +31,11 @@ CHAT: Final = (
     # "leg 1: FO. leg 2: keep going", "with leg 2: 3 sc more to reach the inside of the leg"
     (r"^(leg|foot|arm) (?:1|one) : (?:fo|fasten off|cut)(?: \.| ,)? (?:leg|foot|arm) (?:2|two) : (?:keep going|keep on|go on|carry on|continue|(?:do not|don't) (?:cut|fo|fasten off))(?: the yarn)?", "fasten off {1} 1 . do not cut {1} 2"),
     (rf"^(?:with|on|from) (leg|foot|arm) (?:2|two) : (?:work )?({NUMBER}) (?:more )?({_SC})(?: more)?(?= to | ?[.,]| ?$)", "on the second {1} , {3} {2} more"),
+    # "TAIL FLUKES (make 2 lobes in A, joined in Rnd 9)": one part, and no eleven
+    (r"\( (?:make|work) (?:2|two) (?:lobes|halves|tips|legs|flukes|ends) in ([a-z]{1,12}) , (?:then |and )?join(?:ed)? (?:in|at|on) (?:rnd|round|row) \d+ \)", "( in {1} )"),
+    (r"\( (?:make|work) (?:2|two) (?:lobes|halves|tips|legs|flukes|ends) , (?:then |and )?join(?:ed)? (?:in|at|on) (?:rnd|round|row) \d+ \)", ""),
     # "JOIN - sc in each of the 12 sts of the first lobe"
     (rf"({_HEAD}) (?:join|joining|joining round) -(?= )", "{1}"),
-    (rf"({_SC}) in each of the ({NUMBER}) (?:sts|stitches) (?:of|around|on) (?:the )?(first|second|1st|2nd|other) (leg|lobe|fluke|arm|ear|foot)", "{2} {1} around {3} {4}"),
     (r"make (?:the |a )?second(?: (?:one|lobe|leg|fluke))? (?:the same|in the same way|like the first)(?: way)?(?: ,)? but do not (?:fasten off|fo|cut(?: the)?(?: yarn)?)", "make the second one and do not cut the yarn"),
     # "change to white for the sock"
     (r"((?:change|switch|swap)(?: back)? to (?:the )?[a-z]+) for (?:the |her |his |its )?(?!next|last|rounds?|rnds?|rows?|now|this|these|first|rest|all|one|two|three|remain)[a-z]+(?= ?[.;]| ?$)", "{1}"),
