@@ -115,7 +115,7 @@ class Spots:
         """Where rounds were laid out (N, 3), of a printed toy as their seams wander."""
         from tambour.crochet.graph.sided import sided
 
-        x = sided(self, _laid_out(self.built.graph))
+        x = sided(self, _laid_out(self.built.graph).copy())
         return self._slanted(x) if self.built.pattern.terms else x
 
     def _slanted(self, x: Array) -> Array:

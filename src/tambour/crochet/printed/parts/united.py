@@ -246,7 +246,7 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
         for d in p.parts
         if d.begun() and not d.merged and noun in [one(w) for w in d.name.lower().replace("_", " ").split()]
     ]
-    if (not kin or (kin == [draft] and not draft.other_end)) and _made_twice(p, draft, noun, tokens[0].start):
+    if (not kin or (kin == [draft] and draft.copies == 1 and not draft.other_end)) and _made_twice(p, draft, noun, tokens[0].start):
         draft.twin = noun
         return draft, draft, noun
     if draft.begun() and draft not in kin:
