@@ -246,7 +246,8 @@ def _twins(p: State, draft: Draft, tokens: list[Token]) -> tuple[Draft, Draft, s
         for d in p.parts
         if d.begun() and not d.merged and noun in [one(w) for w in d.name.lower().replace("_", " ").split()]
     ]
-    if (not kin or (kin == [draft] and draft.copies == 1 and not draft.other_end)) and _made_twice(p, draft, noun, tokens[0].start):
+    alone = kin == [draft] and draft.copies == 1 and not draft.other_end
+    if (not kin or alone) and _made_twice(p, draft, noun, tokens[0].start):
         draft.twin = noun
         return draft, draft, noun
     if draft.begun() and draft not in kin:
@@ -280,9 +281,7 @@ def _called(draft: Draft) -> int | None:
 
 def _rank(token: Token) -> int | None:
     """Which of its kind a word says: "first", "2nd", "other"."""
-    if token.kind == "ordinal" and isinstance(token.value, int):
-        return token.value
-    return _RANKS.get(token.word)
+    return token.value if token.kind == "ordinal" and isinstance(token.value, int) else _RANKS.get(token.word)
 
 
 def _which(rank: int, here: Draft, other: Draft) -> int:
