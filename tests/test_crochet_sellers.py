@@ -6,8 +6,10 @@ import pytest
 from tests.crochet_read import pattern
 
 from tambour.crochet.graph.build import build
+from tambour.crochet.language.finishes import Embroidery, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.printed.choose import account
+from tambour.crochet.printed.yarns.shades import shade
 
 CHAT = 'MOLE\n\nABBREVIATIONS\ndc - double crochet; dc2tog - two together;\n"two in one" - two dc worked into the same stitch.\n\nTORSO (grey)\n'
 LETTERS = "MOLE\n\nYOU NEED\n\u25aa DK cotton:\n   O = orange (50 g)\n   W = white (20 g)\n\nsc, inc, dec\n\n"
@@ -157,3 +159,54 @@ def test_a_ring_hangs_from_no_loops() -> None:
     )
     assert [(p.name, p.copies) for p in found.parts] == [("ARM", 2), ("TAIL", 1)]
     assert counts(found, 2) == [6, 12] and any("Cuff" in one or "free loops" in one for one in unread(found))
+
+
+def test_a_skirts_first_round_may_name_its_loops_again() -> None:
+    found = pattern(
+        "MOLE\n\nMATERIALS\nMC oatmeal\nCC rose\n\nBODY (MC)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x6 (12)\nRnd 3: in BLO, 12 sc (12)\nFO.\n\nSKIRT (CC, worked onto the body)\n"
+        "Hold the body upside down. Join CC at center back to the free\nfront loops of Body Rnd 2.\nRnd 1: in the free loops, *sc 2, inc* 4 times (16)\nRnd 2: 16 sc (16)\n"
+    )
+    assert [p.name for p in found.parts] == ["BODY", "SKIRT"] and not unread(found)
+    assert any(getattr(one, "through", 0) for one in found.finish)
+
+
+@pytest.mark.parametrize(
+    ("line", "hue"),
+    [("O = orange (50 g)", "orange"), ("O   main color, orange (mole)     70 g", "orange"), ("O orange", "orange")],
+)
+def test_the_letter_of_a_list_names_its_yarn(line: str, hue: str) -> None:
+    found = pattern(f"MOLE\n\nMATERIALS\n{line}\nstuffing\n\nTORSO\nO\nR1: 6 sc in MR (6)\nR2: 6 sc (6)\n")
+    assert [p.name for p in found.parts] == ["TORSO"] and not unread(found)
+    assert {tuple(c) for c in build(found).graph.color.tolist()} == {tuple(shade(hue) or ())}
+
+
+def test_what_only_says_why_may_be_left_out_and_no_doing() -> None:
+    for aside, hues in (("and there is your snout", 1), ("and change to white", 2)):
+        found = pattern(
+            f"{CHAT}Round 1. 6 dc in a magic loop. (6)\nRounds 2 to 3. Two plain rounds, {aside}. (6)\nRound 4. 6 dc (6)\n"
+        )
+        assert counts(found) == [6, 6, 6, 6] and len({tuple(c) for c in build(found).graph.color.tolist()}) == hues
+
+
+def test_how_many_rounds_a_line_has_is_left_out_only_where_its_head_says_the_same() -> None:
+    start = "MOLE\n\nTORSO (grey)\nRnd 1: 6 sc in MR (6)\n"
+    assert counts(pattern(f"{start}Rnd 2: sc around (3 rounds) (6)\n")) == [6, 6, 6, 6]
+    assert any(
+        "2 rounds are said" in w.message for w in build(pattern(f"{start}Rnd 2 - 4: sc around (2 rnds) (6)\n")).warnings
+    )
+
+
+def test_short_stitches_are_no_shorts() -> None:
+    found = pattern(
+        "MOLE\n\nHEAD\nR1: 6 sc in MR (6)\nR2: inc x6 (12)\nR3: inc x12 (24)\nR4-8: 24 sc (24)\nR9: dec x12 (12)\n\nBODY\nR1: 6 sc in MR (6)\nR2: inc x6 (12)\nR3-6: 12 sc (12)\n\n"
+        "STRAP\nCh 9.\n\nFACE\nCheeks: pink, 3 short horizontal stitches one above another.\n\nASSEMBLY\nSew the head to the body.\n"
+    )
+    assert {one.spots[0].part for one in found.finish if isinstance(one, Embroidery)} == {"HEAD"}
+
+
+def test_where_the_base_of_a_pair_sits_is_told_behind_it() -> None:
+    found = pattern(
+        "MOLE\n\nHEAD\nR1: 6 sc in MR (6)\nR2: inc x6 (12)\nR3: inc x12 (24)\nR4-9: 24 sc (24)\nR10: dec x12 (12)\n\nEAR (make 2)\nR1: 6 sc in MR (6)\nR2-4: 6 sc (6)\n\n"
+        "ASSEMBLY\nEars: sew upright on top of the head. Each base sits across Rnds 3 to 6.\n"
+    )
+    assert [one.spot.round for one in found.finish if isinstance(one, Placed)] == [4.5, 4.5] and not unread(found)

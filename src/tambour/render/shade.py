@@ -19,15 +19,11 @@ DYED = (0.028, 0.81)
 HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 MOTTLED = 0.08  # how much lighter and darker single fibres are: twice as much are hard streaks
 SOFT = 0.2  # how round the bottom of the groove between plies is: at .08 it was a hard line
-DARK, DARKEST = (
-    1.1,
-    0.55,
-)  # how much of the light the groove between plies of thread keeps out, for its depth, and at the most
+# How much of the light the groove between plies of thread keeps out, for its depth, and at the most.
+DARK, DARKEST = 1.1, 0.55
 SPUN = 3.1  # the same of hairy yarn, of all its light: fibres hide how deep it is, and where no lamp casts it one leg of every V was smooth
-NARROW, MEAN = (
-    0.05,
-    0.2,
-)  # how round that dark line is, in cos² of its phase; what it takes in the mean, and the yarn is lighter by: it is no darker
+# How round that dark line is, in cos² of its phase; what it takes in the mean, and the yarn is lighter by: it is no darker.
+NARROW, MEAN = 0.05, 0.2
 
 
 @kernel

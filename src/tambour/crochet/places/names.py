@@ -326,7 +326,7 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
         return best, plain if plain and words[at][3] != "inner" else hit
     word = words[at][3]
     kind = kind_of(word)
-    if not kind:
+    if not kind or words[at][2] == "short":  # "3 short stitches" are no shorts
         return 0, []
     alike = [p for p in parts if kind in p.kinds or kind == p.likely]
     if not alike:

@@ -67,6 +67,10 @@ _OWN_ROUND: Final = re.compile(
     rf"\b(?:sew|stitch|attach|pin|join)\s+(?:the\s+)?{ROUND}\s?\.?\s*\d+\s+of\s+(?:it|the\s+(?P<of>(?:[a-z]+\s+)?[a-z]+?))(?=\s+(?:upright\s+|flat\s+)?(?:to|on|onto|over|at)\b)"
 )
 """A round of what is sewn, in its place: "Sew Rnd 1 of the stem upright on the middle of the back"."""
+_BASES: Final = re.compile(
+    rf"^\W*(?:each|the|their|its|both)\s+(?:base|bottom edge|lower edge|open edge|open end)s?\s+(?:sits?|goes|go|lies|lie|runs?|is|are)\s+(?=(?:across|over|between|along)\s+{ROUND}\b)"
+)
+"""Where the edge of what is sewn comes to lie, told behind it: "Each base sits across Rnds 3 to 6"."""
 _SHAPED: Final = r"(?:oval|circle|disc|disk|piece|square|triangle|strip|rectangle|half[- ]ball|dome|cone|pair|two|lot)"
 _LAID: Final = re.compile(
     rf"(?:^|(?<=[,;.:]\s)|\band\s+|\bthen\s+)(?:lay|stand|rest|lean|hold|slip|set|hang|let|place|put|pin|sew|position|slide|press)\s+(?P<what>it|them|both|these|the {_SHAPED}s?)(?P<flat>\s+(?:flat|on end|upright|lengthwise|sideways|across))?"
@@ -320,6 +324,8 @@ def carried(name: str, text: str, names: tuple[str, ...]) -> str:
         made = f"sew the {pairs['one']} {called} {some[0]}, and sew the {pairs['two']} {called} {some[1]}"
     elif (first := _OWN_ROUND.search(made)) is not None and _part(first["of"] or "", names) in ("", name):
         made = f"{made[: first.start()]}sew the {called}{made[first.end() :]}"
+    elif (base := _BASES.match(made)) is not None:
+        made = f"sew the {called} {made[base.end() :]}"
     elif (edge := _EDGE.search(made)) is not None and _own(edge, part, made, names):
         made = f"{made[: edge.start()]}sew the {called}{made[edge.end() :]}"
     elif (laid := _LAID.search(made)) is not None:

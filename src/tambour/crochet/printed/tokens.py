@@ -32,13 +32,7 @@ _SLANTED: Final = re.compile(r"(?<![\w])_{1,3}(?=[^\W_])|(?<=[^\W_])_{1,3}(?!\w)
 """Words between strokes, as Markdown has them slanted: "_Ear_"."""
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
-_WIDE: Final = {0xFF01 + k: 0x21 + k for k in range(94)} | {
-    0x3000: 0x20,
-    0x2192: 0x3A,
-    0x279C: 0x3A,
-    0x21D2: 0x3A,
-    0x20E3: 0x2E,
-}
+_WIDE: Final = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x2192: 0x3A, 0x279C: 0x3A, 0x21D2: 0x3A}
 """Letters, digits and marks as wide as Chinese ones, "（６）", and arrows behind the head of a round, which stand for a colon."""
 _UNSEEN: Final = frozenset(_HIDDEN + "\ufe0f\u20e3")  # also the frame of a key around a number
 _SHOWN: Final = str.maketrans(

@@ -40,6 +40,7 @@ _ANY: Final = re.compile(
     r"\b(?:attach|join|fasten|fix|insert)\b[^.;]*\b(?:these|those|the|them)\b[^.;]*", re.IGNORECASE
 )
 """What a sentence behind that says: "With green, attach the yarn to any of these loops"."""
+_PLACE: Final = 7  # words that say again which loops a round is worked in
 _TIED: Final = frozenset(("join", "to", "in", "slst", "first", "with"))
 _YARNS: Final = ("join", "attach", "with", "using", "yarn", "color", "colour", "rejoin", "in")
 
@@ -89,7 +90,7 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
     owners.sort(key=lambda d: not _leaves(d, number))
     for owner in owners:
         edge = owner.edges[number]
-        read = tried(p.source, _unjoined(tokens), p.palette, edge, p.phrases, times)
+        read = tried(p.source, _unjoined(_unplaced(tokens)), p.palette, edge, p.phrases, times)
         if read is not None and (read.fit or read.stated is None):
             break
     else:
@@ -103,6 +104,14 @@ def on_loops(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | 
         draft.copies = owner.copies  # a turn-up of each of two legs
     p.hung.append(Hung(draft, owner, number, span))
     return read
+
+
+def _unplaced(tokens: list[Token]) -> list[Token]:
+    """A round without the loops before its comma that a sentence above it has named: "in the free loops, (2 sc, inc) x 12"."""
+    comma = next((k for k, t in enumerate(tokens[:_PLACE]) if t.word == ","), 0)
+    said = tokens[:comma]
+    led = comma > 1 and said[0].word in ("in", "into", "along") and any("loop" in t.word for t in said)
+    return tokens[comma + 1 :] if led and not any(t.kind in ("stitch", "number") for t in said) else tokens
 
 
 def _unjoined(tokens: list[Token]) -> list[Token]:

@@ -232,7 +232,7 @@ def _unframed(text: str, row: Row, vocabulary: Vocabulary) -> Row:
     at = _label(tokens, vocabulary)
     if at and _title(text, tokens[at:], vocabulary):
         tokens, framed = tokens[at:], True
-    return replace(row, tokens=tokens, marked=2) if framed else row
+    return replace(row, tokens=tokens, marked=max(row.marked, 1)) if framed else row
 
 
 def _ruled(tokens: list[Token]) -> list[Token]:

@@ -57,13 +57,10 @@ def _unheaded(text: str, rows: list[Row]) -> list[Row]:
         for k, _ in places
     }
     # The next page's head stands below: "Hazel Crochet      Rabbit", after every foot the same.
-    below = [(k, next((j for j in range(k + 1, len(rows)) if rows[j].tokens), k)) for k in running]
-    heads = Counter(" ".join(text[rows[j].start : rows[j].end].split()) for _, j in below)
-    running |= {
-        j
-        for k, j in below
-        if j != k and heads[" ".join(text[rows[j].start : rows[j].end].split())] > max(1, len(running) // 2)
-    }
+    below = {next((j for j in range(k + 1, len(rows)) if rows[j].tokens), k) for k in running} - running
+    heads = {j: " ".join(text[rows[j].start : rows[j].end].split()) for j in below}
+    often = Counter(heads.values())
+    running |= {j for j, head in heads.items() if often[head] > max(1, len(running) // 2)}
     return [row for k, row in enumerate(rows) if k not in running] if running else rows
 
 

@@ -135,10 +135,9 @@ def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], 
 
 def _round_goes_on(text: str, above: Row, row: Row) -> bool:
     """Whether a round whose line ends in mid-sentence goes on in a line that stands further in: "Rnd 19: A: 6 sc, dec; | B: 9 sc; | A: 12 sc (42)"."""
-    first, second = (text[r.start : r.end] for r in (above, row))
-    inward = row.start - text.rfind("\n", 0, row.start) > above.start - text.rfind("\n", 0, above.start)
-    begun = _BEGUN.match(first) is not None
-    return begun and _BEGUN.match(second) is None and (inward or second[:1] in (" ", "\t"))
+    further = row.tokens[0].start - row.start > above.tokens[0].start - above.start
+    begun, again = (_BEGUN.match(text, r.start, r.end) is not None for r in (above, row))
+    return begun and further and not again
 
 
 def _anew(text: str, rows: list[Row], at: int, last: int) -> bool:

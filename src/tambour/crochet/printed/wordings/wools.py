@@ -35,18 +35,19 @@ _LISTED: Final = re.compile(
 )
 """A yarn of a list of materials, with how much of it is wanted."""
 _LETTERED: Final = re.compile(
-    r"(?<![^\W_])((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+) \(([A-Z])\)(?=[^\n]{0,24}?(?:\d ?(?:g|balls?|skeins?|oz|yds?|yards?|m|hanks?)\b|small amount|scrap|a (?:little|bit)))"
+    r"(?<![^\W_])(?P<name>(?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+) \((?P<letter>[A-Z])\)(?=[^\n]{0,24}?(?:\d ?(?:g|balls?|skeins?|oz|yds?|yards?|m|hanks?)\b|small amount|scrap|a (?:little|bit)))"
 )
 """A yarn of a list, with its letter and how much of it is wanted: "Black (B) 80 g   White (W) 30 g"."""
 _INITIALS: Final = re.compile(
-    r"^[ \t•*-]*((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+)(?: yarn)? \(([A-Z])\)[ \t]*(?:,|$)", re.MULTILINE
+    r"^[ \t•*-]*(?P<name>(?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+)(?: yarn)? \((?P<letter>[A-Z])\)[ \t]*(?:,|$)",
+    re.MULTILINE,
 )
 """A yarn of a list, with the letter that it begins with and no more: "White (W)"."""
 _EQUALS: Final = re.compile(
-    r"^[ \t•▪*-]*([A-Z]{1,2}) ?[=:–-] ?((?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+) \((?:\d+ ?(?:g|balls?|skeins?|oz|yds?|yards?|m)\b|scraps?|a (?:little|bit)|small amount)",
+    r"^[ \t•▪*-]*(?P<letter>[A-Z]{1,2})(?: ?[=:–-] ?|[ \t]+)(?:(?:main|contrast\w*) colou?r,? )?(?P<name>(?:[A-Za-z][a-z]+ ){0,2}[A-Za-z][a-z]+)[ \t]*(?=[(,\d]|scraps?\b|small amount|$)",
     re.MULTILINE,
 )
-"""A letter and the yarn it stands for, with how much of it is wanted: "O = orange (50 g)"."""
+"""A letter and the yarn that it stands for, in a line of a list: "O = orange (50 g)", "MC   main color, oatmeal (rabbit)   70 g", "A blue"."""
 _PURPOSES: Final = re.compile(
     r"\b(?i:(?:change|switch|swap)(?: (?:the )?(?:thread|yarn|colou?r))?(?: back)?(?: to)?|(?:start|begin|continue|carry on|go on|work)(?:ing)? (?:with|in)|with|using|use|attach|join)"
     r" (?:the )?([a-z][^\W\d_]{2,}) colou?r(?:ed yarn| yarn)?(?= ?[.,;:)(]| ?$| and\b| for\b| now\b| \d)",
@@ -70,18 +71,15 @@ _NO_NAME: Final = frozenset(
 def learned(text: str, palette: Palette, vocabulary: Vocabulary) -> None:
     """Teaches ``palette`` the yarns that a text begins or goes on with, by the colour that their names or its list tell; those that nothing
     tells get one of our choice."""
-    for m in (*_LETTERED.finditer(text), *_INITIALS.finditer(text)):
-        words = m[1].split()
-        if m.re is _INITIALS and not any(w[0].upper() == m[2] for w in words):
+    lettered = (m for said in (_LETTERED, _INITIALS, _EQUALS) for m in said.finditer(text))
+    for m in lettered:
+        letter, words = m["letter"].lower(), m["name"].split()
+        if m.re is _INITIALS and not any(w[0].lower() == letter for w in words):
             continue
         hue = next((hue for k in range(len(words)) if (hue := _color(" ".join(words[k:]), "")) is not None), None)
         if hue is not None:
-            palette.given.setdefault(m[2].lower(), hue)
-            palette.named.setdefault(m[2].lower(), m[1])
-    for m in _EQUALS.finditer(text):
-        if (hue := _color(m[2], "")) is not None:
-            palette.given.setdefault(m[1].lower(), hue)
-            palette.named.setdefault(m[1].lower(), m[2])
+            palette.given.setdefault(letter, hue)
+            palette.named.setdefault(letter, m["name"])
     shelf = {m[1].lower(): (m[1], m[2] or "") for m in _LISTED.finditer(text)}
     found = [m for pattern in (_STARTS, _CHANGES, _BEHIND) for m in pattern.finditer(text)]
     names = [m[1] for m in sorted(found, key=lambda m: m.start())]
